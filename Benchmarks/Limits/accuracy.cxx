@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Accuracy of images and of their error estimates in scenes that were not used to choose constants:
-// fraction of tiles above the tolerance, fraction of these whose estimate is below their error, and
-// ratio of estimate and error. With --uniform, also the rays of uniform sampling with the same error.
+// fraction of tiles above the tolerance, fraction of these whose estimate is below their error,
+// fraction of tiles that are reported but below it, and ratio of estimate and error. With --effect,
+// the same with light effects. With --uniform, also the rays of uniform sampling with the same error.
 #include "BruteForce/ImageErrors.h"
+#include "BruteForce/RandomLight.h"
 #include "BruteForce/StratifiedReference.h"
 #include "Scenes/AccuracyScenes.h"
 
+#include "vtkCamera.h"
+#include "vtkLight.h"
 #include "vtkNew.h"
+#include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
 #include "vtkRenderer.h"
 
@@ -16,7 +21,9 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <string>
+#include <vector>
 
 using namespace penumbra;
 
@@ -29,14 +36,70 @@ struct Options
   double InverseTolerance = 256.0;
   int ReferenceSide = 24;
   bool Uniform = false;
+  std::string Effect = "none";
 };
+
+/// A light effect that is added to every scene.
+struct Effect
+{
+  std::string Name;
+  bool NeedsLight; ///< casts shadows
+  std::function<void(vtkPenumbraRayCaster*)> Choose;
+};
+
+const std::vector<Effect>& GetEffects()
+{
+  static const std::vector<Effect> effects = {
+    { "none", false, [](vtkPenumbraRayCaster*) {} },
+    { "occlusion", false,
+      [](vtkPenumbraRayCaster* caster) {
+        caster->AmbientOcclusionOn();
+        caster->SetAmbientOcclusionStrength(1.0);
+      } },
+    { "indirect", true,
+      [](vtkPenumbraRayCaster* caster) {
+        caster->ShadowsOn();
+        caster->IndirectLightOn();
+        caster->SetEnvironmentColor(0.5, 0.6, 0.8);
+      } },
+    { "penumbrae", true,
+      [](vtkPenumbraRayCaster* caster) {
+        caster->ShadowsOn();
+        caster->SetLightAngle(10.0);
+      } },
+    { "shafts", true,
+      [](vtkPenumbraRayCaster* caster) {
+        caster->ShadowsOn();
+        caster->SetMedium(vtkNew<vtkPenumbraMedium>());
+      } },
+  };
+  return effects;
+}
+
+/// Adds a directional light from above and beside the camera.
+void AddLight(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  double view[3];
+  double up[3];
+  camera->GetDirectionOfProjection(view);
+  camera->GetViewUp(up);
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetPosition(0.7 * up[0] + 0.4 * (view[1] * up[2] - view[2] * up[1]) - 0.5 * view[0],
+    0.7 * up[1] + 0.4 * (view[2] * up[0] - view[0] * up[2]) - 0.5 * view[1],
+    0.7 * up[2] + 0.4 * (view[0] * up[1] - view[1] * up[0]) - 0.5 * view[2]);
+  renderer->AddLight(light);
+}
 
 struct Accuracy
 {
-  double AboveTolerance = 0.0; ///< fraction of tiles
-  double Misjudged = 0.0;      ///< fraction of these with an estimate below their error
-  double MedianRatio = 0.0;    ///< of estimate and error
-  double Error = 0.0;          ///< RMSE of the image
+  double AboveTolerance = 0.0;  ///< fraction of tiles
+  double Misjudged = 0.0;       ///< fraction of tiles above it with an estimate below their error
+  double FalselyReported = 0.0; ///< fraction of tiles below it with an estimate above it
+  double MedianRatio = 0.0;     ///< of estimate and error
+  double Error = 0.0;           ///< RMSE of the image
 };
 
 Accuracy Summarize(const std::vector<TileAccuracy>& tiles, double tolerance)
@@ -49,6 +112,7 @@ Accuracy Summarize(const std::vector<TileAccuracy>& tiles, double tolerance)
     const bool above = tile.Error > tolerance;
     accuracy.AboveTolerance += above ? 1.0 : 0.0;
     accuracy.Misjudged += above && tile.Estimate < tile.Error ? 1.0 : 0.0;
+    accuracy.FalselyReported += !above && tile.Estimate > tolerance ? 1.0 : 0.0;
     squares += tile.Error * tile.Error;
     if (tile.Error > 0.05 * tolerance)
     {
@@ -58,6 +122,7 @@ Accuracy Summarize(const std::vector<TileAccuracy>& tiles, double tolerance)
   const auto count = static_cast<double>(tiles.size());
   accuracy.AboveTolerance /= count;
   accuracy.Misjudged /= count;
+  accuracy.FalselyReported /= count;
   accuracy.Error = std::sqrt(squares / count);
   if (!ratios.empty())
   {
@@ -86,23 +151,36 @@ double ComputeUniformCost(vtkRenderer* renderer, const AccuracyScene& scene,
   return CostAtError(ladder, error);
 }
 
-void Measure(const AccuracyScene& scene, const Options& options, double& above, double& misjudged)
+Accuracy Measure(const AccuracyScene& scene, const Effect& effect, const Options& options)
 {
   vtkNew<vtkRenderer> renderer;
   scene.Build(renderer);
   constexpr int Side = AccuracyImageSide;
-  const double tolerance = 1.0 / options.InverseTolerance;
-  const Answer answer = Cast(renderer, Side, Side, [&](vtkPenumbraRayCaster* caster) {
-    caster->SetTolerance(tolerance);
+  const bool hasEffect = effect.Name != "none";
+  double tolerance = 1.0 / options.InverseTolerance;
+  if (effect.NeedsLight)
+  {
+    AddLight(renderer);
+  }
+  const auto choose = [&](vtkPenumbraRayCaster* caster) {
+    caster->SetTolerance(1.0 / options.InverseTolerance);
     caster->SetShadows(scene.Shadows);
+    effect.Choose(caster);
+  };
+  const Answer answer = Cast(renderer, Side, Side, [&](vtkPenumbraRayCaster* caster) {
+    choose(caster);
+    if (hasEffect)
+    {
+      tolerance = std::hypot(tolerance, caster->GetEffectiveLightTolerance());
+    }
   });
-  const StratifiedReference reference =
-    DrawStratified(renderer, Side, Side, options.ReferenceSide, scene.Shadows);
+  const StratifiedReference reference = hasEffect
+    ? DrawWithLight(renderer, Side, Side, options.ReferenceSide, choose)
+    : DrawStratified(renderer, Side, Side, options.ReferenceSide, scene.Shadows);
   const Accuracy accuracy = Summarize(CompareTiles(answer, reference, Side), tolerance);
-  above += accuracy.AboveTolerance;
-  misjudged += accuracy.Misjudged;
-  std::printf("| %-22s | %5.1f | %5.1f | %5.2f | %.5f | %7.2f | %6.3f |", scene.Name.c_str(),
-    100.0 * accuracy.AboveTolerance, 100.0 * accuracy.Misjudged, accuracy.MedianRatio,
+  std::printf("| %-22s | %-9s | %5.1f | %5.1f | %5.1f | %5.2f | %.5f | %7.2f | %6.3f |",
+    scene.Name.c_str(), effect.Name.c_str(), 100.0 * accuracy.AboveTolerance,
+    100.0 * accuracy.Misjudged, 100.0 * accuracy.FalselyReported, accuracy.MedianRatio,
     accuracy.Error, answer.RaysPerPixel, answer.Seconds);
   if (options.Uniform)
   {
@@ -110,6 +188,7 @@ void Measure(const AccuracyScene& scene, const Options& options, double& above, 
   }
   std::printf("\n");
   std::fflush(stdout);
+  return accuracy;
 }
 
 }
@@ -126,25 +205,44 @@ int main(int count, char** arguments)
     options.InverseTolerance =
       name == "--inverse-tolerance" ? std::atof(value) : options.InverseTolerance;
     options.ReferenceSide = name == "--reference" ? std::atoi(value) : options.ReferenceSide;
+    options.Effect = name == "--effect" ? value : options.Effect;
+  }
+  const auto isSelected = [&](const Effect& effect) {
+    return options.Effect == "all" || options.Effect == effect.Name;
+  };
+  if (std::none_of(GetEffects().begin(), GetEffects().end(), isSelected))
+  {
+    std::fprintf(stderr, "--effect: use none, occlusion, indirect, penumbrae, shafts or all\n");
+    return 2;
   }
   std::printf("Tolerance 1/%g, tiles of 16x16 pixels, %d reference samples per pixel\n\n",
     options.InverseTolerance, 2 * options.ReferenceSide * options.ReferenceSide);
-  std::printf("| scene | tiles above the tolerance, %% | of all tiles, above and estimate below "
-              "error, %% | median estimate / error | RMSE | rays per pixel | CPU s |%s\n",
+  std::printf("| scene | effect | tiles above the tolerance, %% | of all tiles, above and estimate "
+              "below error, %% | below, but reported, %% | median estimate / error | RMSE | rays "
+              "per pixel | CPU s |%s\n",
     options.Uniform ? " rays of uniform samples with this error |" : "");
-  std::printf("|---|---|---|---|---|---|---|%s\n", options.Uniform ? "---|" : "");
-  double above = 0.0;
-  double misjudged = 0.0;
-  int scenes = 0;
-  for (const AccuracyScene& scene : GetAccuracyScenes())
+  std::printf("|---|---|---|---|---|---|---|---|---|%s\n", options.Uniform ? "---|" : "");
+  for (const Effect& effect : GetEffects())
   {
-    if (scene.Name.find(options.Only) != std::string::npos)
+    Accuracy sum;
+    int scenes = 0;
+    for (const AccuracyScene& scene : GetAccuracyScenes())
     {
-      Measure(scene, options, above, misjudged);
-      ++scenes;
+      if (isSelected(effect) && scene.Name.find(options.Only) != std::string::npos)
+      {
+        const Accuracy accuracy = Measure(scene, effect, options);
+        sum.AboveTolerance += 100.0 * accuracy.AboveTolerance;
+        sum.Misjudged += 100.0 * accuracy.Misjudged;
+        sum.FalselyReported += 100.0 * accuracy.FalselyReported;
+        ++scenes;
+      }
+    }
+    if (scenes > 0)
+    {
+      std::printf("| **%d scenes** | %-9s | %5.1f | %5.1f | %5.1f | | | | |\n", scenes,
+        effect.Name.c_str(), sum.AboveTolerance / scenes, sum.Misjudged / scenes,
+        sum.FalselyReported / scenes);
     }
   }
-  std::printf("\n%d scenes: %.1f %% of tiles above the tolerance, %.1f %% misjudged\n", scenes,
-    100.0 * above / std::max(scenes, 1), 100.0 * misjudged / std::max(scenes, 1));
   return 0;
 }
