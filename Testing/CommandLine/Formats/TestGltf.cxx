@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Geometry of glTF files whatever their textures, sparse accessors and mirrored nodes are, and meshes
+// of Abaqus input files.
+#include "Program.h"
+#include "RenderedImages.h"
+
+#include "vtkImageData.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+using namespace penumbra_testing;
+
+namespace
+{
+
+using Document = nlohmann::json;
+
+std::string Base64(const std::string& bytes)
+{
+  const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3)
+  {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    }
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      text += i + k <= bytes.size() ? digits[bits >> (18 - 6 * k) & 63] : '=';
+    }
+  }
+  return text;
+}
+
+std::string Floats(const std::vector<float>& values)
+{
+  return std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
+}
+
+/// Two triangles that form a wedge open to the right, with flat normals.
+struct Wedge
+{
+  std::vector<float> Points = { 0, 0, 0, 1, 0, .6f, 1, 1, .6f, 0, 0, 0, 1, 1, .6f, 0, 1, 0 };
+  std::vector<float> Normals;
+
+  Wedge()
+  {
+    for (int i = 0; i < 6; ++i)
+    {
+      this->Normals.insert(this->Normals.end(), { -.5145f, 0.f, .8575f });
+    }
+  }
+};
+
+Document MakeGltf(const std::vector<float>& points, const std::vector<float>& normals)
+{
+  const std::string bytes = Floats(points) + Floats(normals);
+  const std::size_t half = points.size() * sizeof(float);
+  const std::size_t count = points.size() / 3;
+  Document root;
+  root["asset"]["version"] = "2.0";
+  root["scene"] = 0;
+  root["scenes"] = Document::array({ { { "nodes", { 0 } } } });
+  root["nodes"] = Document::array({ { { "mesh", 0 } } });
+  root["meshes"] = Document::array({ { { "primitives",
+    Document::array({ { { "attributes", { { "POSITION", 0 }, { "NORMAL", 1 } } } } }) } } });
+  const auto accessor = [&](int view) {
+    return Document{ { "bufferView", view }, { "componentType", 5126 }, { "count", count },
+      { "type", "VEC3" }, { "min", { -9, -9, -9 } }, { "max", { 9, 9, 9 } } };
+  };
+  root["accessors"] = Document::array({ accessor(0), accessor(1) });
+  root["bufferViews"] = Document::array({ { { "buffer", 0 }, { "byteLength", half } },
+    { { "buffer", 0 }, { "byteOffset", half }, { "byteLength", half } } });
+  root["buffers"] = Document::array({ { { "byteLength", bytes.size() },
+    { "uri", "data:application/octet-stream;base64," + Base64(bytes) } } });
+  return root;
+}
+
+ProgramResult Render(const Folder& folder, const std::string& name, const Document& root)
+{
+  WriteText(folder / name + ".gltf", root.dump());
+  return RunProgram(
+    { "render", folder / name + ".gltf", "--output", folder / name + ".png", "--resolution",
+      "80,60", "--camera-position", "0.5,0.5,4", "--camera-focal-point", "0.5,0.5,0" });
+}
+
+void ExpectEqualImages(const Folder& folder, const std::string& a, const std::string& b)
+{
+  EXPECT_LE(Compare(folder / a + ".png", folder / b + ".png")["metrics"]["max"], 1.01 / 255.0)
+    << a << " " << b;
+}
+
+TEST(Gltf, TexturesDoNotPreventReading)
+{
+  const Folder folder("textures");
+  const Wedge wedge;
+  const Document plain = MakeGltf(wedge.Points, wedge.Normals);
+  ASSERT_EQ(Render(folder, "plain", plain).Status, 0);
+  WriteText(folder / "broken.png", "\x89PNG\r\n\x1a\nxxxx");
+  for (const char* uri : { "missing.png", "with space.png", "C:/me/a.png", "a\\b.png", "broken.png",
+         "https://example.org/a.png", "" })
+  {
+    Document root = plain;
+    root["images"] = Document::array({ *uri ? Document{ { "uri", uri } } : Document::object() });
+    root["textures"] = Document::array({ { { "source", 0 } } });
+    root["materials"] = Document::array(
+      { { { "pbrMetallicRoughness", { { "baseColorTexture", { { "index", 0 } } } } } } });
+    root["meshes"][0]["primitives"][0]["material"] = 0;
+    const ProgramResult outcome = Render(folder, "textured", root);
+    EXPECT_EQ(outcome.Status, 0) << uri << outcome.Errors;
+    EXPECT_EQ(outcome.Errors, "") << uri;
+    ExpectEqualImages(folder, "textured", "plain");
+  }
+}
+
+TEST(Gltf, SparseAccessorsAreRead)
+{
+  const Folder folder("sparse");
+  const Wedge wedge;
+  ASSERT_EQ(Render(folder, "plain", MakeGltf(wedge.Points, wedge.Normals)).Status, 0);
+  // The base has a wrong vertex 2, which a sparse accessor replaces.
+  std::vector<float> base = wedge.Points;
+  base[6] = 7.f;
+  Document root = MakeGltf(base, wedge.Normals);
+  const std::uint16_t index = 2;
+  std::string bytes(reinterpret_cast<const char*>(&index), sizeof(index));
+  bytes += std::string(2, '\0') + Floats({ 1.f, 1.f, .6f });
+  root["buffers"].push_back({ { "byteLength", bytes.size() },
+    { "uri", "data:application/octet-stream;base64," + Base64(bytes) } });
+  root["bufferViews"].push_back({ { "buffer", 1 }, { "byteLength", bytes.size() } });
+  root["accessors"][0]["sparse"] = { { "count", 1 },
+    { "indices", { { "bufferView", 2 }, { "componentType", 5123 } } },
+    { "values", { { "bufferView", 2 }, { "byteOffset", 4 } } } };
+  const ProgramResult outcome = Render(folder, "sparse", root);
+  ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+  ExpectEqualImages(folder, "sparse", "plain");
+}
+
+TEST(Gltf, BuffersWithSpacesInTheirNamesAreRead)
+{
+  const Folder folder("buffers");
+  const Wedge wedge;
+  Document root = MakeGltf(wedge.Points, wedge.Normals);
+  ASSERT_EQ(Render(folder, "plain", root).Status, 0);
+  WriteText(folder / "a buffer.bin", Floats(wedge.Points) + Floats(wedge.Normals));
+  root["buffers"][0]["uri"] = "a buffer.bin";
+  EXPECT_EQ(Render(folder, "spaces", root).Errors, "");
+  ExpectEqualImages(folder, "spaces", "plain");
+  root["buffers"][0]["uri"] = "no buffer.bin";
+  const ProgramResult outcome = Render(folder, "missing", root);
+  EXPECT_EQ(outcome.Status, 2);
+  EXPECT_EQ(CountLines(outcome.Errors), 1);
+  EXPECT_NE(outcome.Errors.find("'no buffer.bin' is missing"), std::string::npos) << outcome.Errors;
+}
+
+TEST(Gltf, MirroredNodesAreLit)
+{
+  const Folder folder("mirrored");
+  const Wedge wedge;
+  Document root = MakeGltf(wedge.Points, wedge.Normals);
+  ASSERT_EQ(Render(folder, "plain", root).Status, 0);
+  // Mirrors in x by the matrix of a parent, then by a scale.
+  root["nodes"] = Document::array(
+    { { { "children", { 1 } }, { "matrix", { -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1 } } },
+      { { "mesh", 0 } } });
+  ASSERT_EQ(Render(folder, "matrix", root).Status, 0);
+  root["nodes"] = Document::array(
+    { { { "mesh", 0 }, { "scale", { -1, 1, 1 } }, { "translation", { 1, 0, 0 } } } });
+  ASSERT_EQ(Render(folder, "scale", root).Status, 0);
+  ExpectEqualImages(folder, "matrix", "scale");
+  const auto plain = ReadImage(folder / "plain.png");
+  const auto mirrored = ReadImage(folder / "scale.png");
+  double largest = 0.0;
+  for (int y = 0; y < 60; ++y)
+  {
+    for (int x = 0; x < 80; ++x)
+    {
+      largest =
+        std::max(largest, std::abs(PixelAt(plain, x, y)[0] - PixelAt(mirrored, 79 - x, y)[0]));
+    }
+  }
+  EXPECT_LE(largest, 2.01 / 255.0);
+  EXPECT_GT(PixelAt(mirrored, 40, 30)[0], 0.5);
+}
+
+TEST(Abaqus, MeshesAreRead)
+{
+  const Folder folder("abaqus");
+  const std::string nodes =
+    "1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 1, 1, 0\n5, 0, 0, 1\n6, 1, 0, 1\n"
+    "7, 0, 1, 1\n8, 1, 1, 1\n";
+  const std::string flat = "*Heading\n cube\n** comment\n*Node, nset=all\n" + nodes +
+    "*ELEMENT, TYPE=C3D8R, elset=e\n1, 1, 2, 4, 3,\n 5, 6, 8, 7\n*Solid section\n1.\n";
+  const std::string parts = "*Part, name=a\n*Node\n" + nodes +
+    "*Element, type=C3D8\n1, 1, 2, 4, 3, 5, 6, 8, 7\n*End Part\n*Assembly\n"
+    "*Instance, name=b, part=A\n-1, 0, 0\n0, 0, 0, 0, 0, 1, 90\n*End Instance\n*End Assembly\n";
+  std::string ucd = "8 1 0 0 0\n" + nodes + "1 1 hex 1 2 4 3 5 6 8 7\n";
+  ucd.erase(std::remove(ucd.begin(), ucd.end(), ','), ucd.end());
+  WriteText(folder / "flat.inp", flat);
+  WriteText(folder / "ucd.inp", ucd);
+  WriteText(folder / "parts.inp", parts);
+  for (const char* name : { "flat", "ucd", "parts" })
+  {
+    const ProgramResult outcome =
+      RunProgram({ "render", folder / name + ".inp", "--output", folder / name + ".png",
+        "--resolution", "60,60", "--camera-position", "4,3,5", "--camera-focal-point", "0,0,0" });
+    ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+  }
+  ExpectEqualImages(folder, "flat", "ucd");
+  // The unit cube moved by -1 in x and turned about z by 90 degrees is in [-1, 0] x [-1, 0].
+  std::string moved = nodes;
+  const auto replace = [&moved](const std::string& from, const std::string& to) {
+    moved.replace(moved.find(from), from.size(), to);
+  };
+  replace("1, 0, 0, 0", "1, 0, -1, 0");
+  replace("2, 1, 0, 0", "2, 0, 0, 0");
+  replace("3, 0, 1, 0", "3, -1, -1, 0");
+  replace("4, 1, 1, 0", "4, -1, 0, 0");
+  replace("5, 0, 0, 1", "5, 0, -1, 1");
+  replace("6, 1, 0, 1", "6, 0, 0, 1");
+  replace("7, 0, 1, 1", "7, -1, -1, 1");
+  replace("8, 1, 1, 1", "8, -1, 0, 1");
+  WriteText(
+    folder / "moved.inp", "*Node\n" + moved + "*Element, type=C3D8\n1, 1, 2, 4, 3, 5, 6, 8, 7\n");
+  ASSERT_EQ(
+    RunProgram({ "render", folder / "moved.inp", "--output", folder / "moved.png", "--resolution",
+                 "60,60", "--camera-position", "4,3,5", "--camera-focal-point", "0,0,0" })
+      .Status,
+    0);
+  ExpectEqualImages(folder, "parts", "moved");
+}
+
+}
