@@ -18,11 +18,11 @@ namespace penumbra
 namespace
 {
 
-/// Returns the value of full intensity.
-double FindWhite(vtkDataArray* colors)
+/// Returns the value of full intensity in components [first, end).
+double FindWhite(vtkDataArray* colors, int first, int end)
 {
   double largest = 0.0;
-  for (int component = 0; component < colors->GetNumberOfComponents(); ++component)
+  for (int component = first; component < end; ++component)
   {
     double range[2];
     colors->GetFiniteRange(range, component);
@@ -60,7 +60,9 @@ void AddColors(vtkDataSetAttributes* attributes, vtkDataArray* colors)
     attributes->SetScalars(colors);
     return;
   }
-  const double white = FindWhite(colors);
+  // Opacity may have another range than the color.
+  const double white = FindWhite(colors, 0, 3);
+  const double opaque = components == 4 ? FindWhite(colors, 3, 4) : 1.0;
   vtkNew<vtkUnsignedCharArray> bytes;
   bytes->SetName(name);
   bytes->SetNumberOfComponents(components);
@@ -69,7 +71,8 @@ void AddColors(vtkDataSetAttributes* attributes, vtkDataArray* colors)
   {
     for (int component = 0; component < components; ++component)
     {
-      const double value = colors->GetComponent(tuple, component) / white;
+      const double value =
+        colors->GetComponent(tuple, component) / (component < 3 ? white : opaque);
       const double clamped = std::isnan(value) ? 0.0 : std::clamp(value, 0.0, 1.0);
       bytes->SetTypedComponent(
         tuple, component, static_cast<unsigned char>(std::lround(255.0 * clamped)));

@@ -24,6 +24,7 @@ namespace penumbra
 /// Adds colors of 3 or 4 components as bytes, with the name RGB or RGBA, and makes them the active
 /// scalars. The range of `colors` is 0 to 1 if they are of a floating-point type and none exceeds 1,
 /// 0 to 65535 if they are integers of more than 8 bits and one exceeds 255, otherwise 0 to 255.
+/// Opacity has a range of its own.
 void AddColors(vtkDataSetAttributes* attributes, vtkDataArray* colors);
 
 }

@@ -4,9 +4,9 @@
 // Wavefront OBJ: polygons, lines and points with normals, texture coordinates and colors of vertices.
 #include "MeshReaders.h"
 
-#include "Files/MappedFile.h"
 #include "MeshArrays.h"
 #include "ObjCorners.h"
+#include "TextFile.h"
 #include "TextScanner.h"
 
 #include "vtkCellArray.h"
@@ -38,7 +38,7 @@ struct CellList
 class Reader
 {
 public:
-  Reader(const std::string& path, const MappedFile& file)
+  Reader(const std::string& path, const TextFile& file)
     : Path(path),
       Text(file.Begin(), file.End(), '#'),
       Corners(file.Size())
@@ -240,7 +240,7 @@ private:
 
 vtkSmartPointer<vtkDataObject> ReadObj(const std::string& path)
 {
-  const MappedFile file(path);
+  const TextFile file(path);
   return Reader(path, file).Read();
 }
 

@@ -5,9 +5,9 @@
 // to the lines of an OFF file (colors of vertices) are read, too.
 #include "MeshReaders.h"
 
-#include "Files/MappedFile.h"
 #include "MeshArrays.h"
 #include "Processes/CommandError.h"
+#include "TextFile.h"
 #include "TextScanner.h"
 
 #include "vtkCellArray.h"
@@ -85,7 +85,7 @@ private:
 class Reader
 {
 public:
-  Reader(const std::string& path, const MappedFile& file)
+  Reader(const std::string& path, const TextFile& file)
     : Path(path),
       Text(file.Begin(), file.End(), '#')
   {
@@ -332,7 +332,7 @@ private:
 
 vtkSmartPointer<vtkDataObject> ReadOff(const std::string& path)
 {
-  const MappedFile file(path);
+  const TextFile file(path);
   return Reader(path, file).Read();
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshReaders.h"
 
-#include "Files/MappedFile.h"
 #include "MeshArrays.h"
 #include "PointMerger.h"
+#include "TextFile.h"
 #include "TextScanner.h"
 
 #include "vtkCellArray.h"
@@ -53,7 +53,7 @@ private:
   vtkNew<vtkCellArray> Cells;
 };
 
-std::size_t DeclaredTriangles(const MappedFile& file)
+std::size_t DeclaredTriangles(const TextFile& file)
 {
   std::uint32_t count = 0;
   if (file.Size() >= BinaryHeaderSize)
@@ -64,7 +64,7 @@ std::size_t DeclaredTriangles(const MappedFile& file)
 }
 
 /// Binary files may start with "solid", too.
-bool IsAscii(const MappedFile& file)
+bool IsAscii(const TextFile& file)
 {
   const bool isBinary = file.Size() >= BinaryHeaderSize &&
     file.Size() == BinaryHeaderSize + BinaryTriangleSize * DeclaredTriangles(file);
@@ -75,7 +75,7 @@ bool IsAscii(const MappedFile& file)
     !std::memchr(file.Begin(), '\0', head);
 }
 
-vtkSmartPointer<vtkPolyData> ReadBinary(const std::string& path, const MappedFile& file)
+vtkSmartPointer<vtkPolyData> ReadBinary(const std::string& path, const TextFile& file)
 {
   if (file.Size() < BinaryHeaderSize)
   {
@@ -140,7 +140,7 @@ void SkipName(TextScanner& text)
   }
 }
 
-vtkSmartPointer<vtkPolyData> ReadAscii(const std::string& path, const MappedFile& file)
+vtkSmartPointer<vtkPolyData> ReadAscii(const std::string& path, const TextFile& file)
 {
   TextScanner text(file.Begin(), file.End());
   Triangles triangles;
@@ -192,7 +192,7 @@ vtkSmartPointer<vtkPolyData> ReadAscii(const std::string& path, const MappedFile
 
 vtkSmartPointer<vtkDataObject> ReadStl(const std::string& path)
 {
-  const MappedFile file(path);
+  const TextFile file(path);
   return IsAscii(file) ? ReadAscii(path, file) : ReadBinary(path, file);
 }
 
