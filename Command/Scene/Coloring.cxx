@@ -6,6 +6,7 @@
 #include "Options/Colormaps.h"
 #include "Options/RenderOptions.h"
 #include "Processes/CommandError.h"
+#include "TextFont.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -191,6 +192,8 @@ void AddScalarBar(
       text->ShadowOff();
     }
   }
+  SetFontFor(title, bar->GetTitleTextProperty());
+  SetFontFor("0", bar->GetLabelTextProperty());
   bar->SetLookupTable(table);
   bar->SetTitle(title.c_str());
   bar->SetLabelFormat("%.4g");
