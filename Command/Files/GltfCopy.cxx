@@ -116,9 +116,23 @@ public:
     : Path(path)
   {
     const MappedFile file(path);
+    this->Version =
+      file.Size() >= 8 && std::memcmp(file.Begin(), "glTF", 4) == 0 ? WordAt(file, 4) : 2;
     Parts parts = Split(file);
     this->Root = Json::parse(parts.Text, nullptr, false);
     this->Binary.swap(parts.Binary);
+  }
+
+  /// Throws CommandError if the file is of version 1, whose lists are JSON objects.
+  void RefuseVersion1() const
+  {
+    const bool isText1 =
+      this->Root.is_object() && this->Root.contains("meshes") && this->Root["meshes"].is_object();
+    if (isText1 || this->Version == 1)
+    {
+      this->Fail("files of glTF 1 cannot be read; convert it to glTF 2, for example with "
+                 "gltf-pipeline");
+    }
   }
 
   /// Returns whether VTK's reader may refuse the file. It reports invalid JSON itself.
@@ -361,6 +375,7 @@ private:
   static constexpr std::size_t MaximumSparseCount = std::size_t(1) << 28;
 
   const std::string& Path;
+  std::uint32_t Version = 2;
   Json Root;
   std::string Binary; ///< chunk of a .glb file
   std::string Joined; ///< all buffers
@@ -370,8 +385,19 @@ private:
 
 std::string CopyGltfGeometry(const std::string& path)
 {
-  Copy copy(path);
-  return copy.IsNeeded() ? copy.Write() : std::string();
+  try
+  {
+    Copy copy(path);
+    copy.RefuseVersion1();
+    return copy.IsNeeded() ? copy.Write() : std::string();
+  }
+  catch (const Json::exception&)
+  {
+    throw CommandError(BadInput,
+      path +
+        ": the file is damaged or not glTF 2: a value is missing or has a wrong type; export "
+        "it again");
+  }
 }
 
 }
