@@ -161,6 +161,10 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, std::vector<std::
       std::to_string(surfaces.Points) +
       " points are not finite; they and the cells that use them were skipped");
   }
+  if (surfaces.RoundingStep > 0.0)
+  {
+    warnings.push_back(path + ": " + DescribeRounding(surfaces));
+  }
   vtkSmartPointer<vtkPolyData> mesh = surfaces.Meshes.front();
   if (surfaces.Meshes.size() > 1)
   {

@@ -102,6 +102,10 @@ std::vector<vtkSmartPointer<vtkPolyData>> ReadMeshes(
         std::to_string(surfaces.Points) +
         " points are not finite; they and the cells that use them were skipped");
     }
+    if (surfaces.RoundingStep > 0.0)
+    {
+      warnings.push_back(files[i] + ": " + DescribeRounding(surfaces));
+    }
   }
   return meshes;
 }

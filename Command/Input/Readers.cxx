@@ -90,6 +90,14 @@ Algorithm MakeEnSight(const std::string& path)
   return reader;
 }
 
+Algorithm MakePts(const std::string& path)
+{
+  auto reader = vtkSmartPointer<vtkPTSReader>::New();
+  reader->SetFileName(path.c_str());
+  reader->SetOutputDataTypeIsDouble(true); // Surveys have coordinates of many digits.
+  return reader;
+}
+
 Algorithm MakeExodus(const std::string& path)
 {
   auto reader = vtkSmartPointer<vtkExodusIIReader>::New();
@@ -147,7 +155,7 @@ std::vector<ReaderRow> MakeTable()
 #endif
     { { ".byu" }, "Movie.BYU", "vtkBYUReader", MakeByu },
     { { ".facet" }, "Facet", PENUMBRA_READER(vtkFacetReader) },
-    { { ".pts" }, "Points", PENUMBRA_READER(vtkPTSReader) },
+    { { ".pts" }, "Points", "vtkPTSReader", MakePts },
     { { ".mha", ".mhd" }, "MetaImage", PENUMBRA_READER(vtkMetaImageReader), nullptr,
       OrientMetaImage },
     { { ".nrrd", ".nhdr" }, "NRRD", "vtkNrrdReader", MakeNrrdReader, nullptr, OrientNrrd },

@@ -25,9 +25,11 @@
 #include "vtkReverseSense.h"
 #include "vtkVertexGlyphFilter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <new>
+#include <sstream>
 
 namespace penumbra
 {
@@ -146,6 +148,28 @@ vtkSmartPointer<vtkPolyData> DropCells(vtkPolyData* mesh, const std::vector<bool
   return compact->GetOutput();
 }
 
+/// Returns the distance of single-precision coordinates if it is a visible fraction of the bounds,
+/// else 0.
+double FindRoundingStep(vtkPolyData* mesh)
+{
+  if (!mesh->GetPoints() || mesh->GetPoints()->GetDataType() != VTK_FLOAT)
+  {
+    return 0.0;
+  }
+  constexpr double VisibleFraction = 1.0 / 4096.0; // a quarter of a pixel of a usual image
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  double extent = 0.0;
+  double largest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    extent = std::max(extent, bounds[2 * axis + 1] - bounds[2 * axis]);
+    largest = std::max({ largest, std::abs(bounds[2 * axis]), std::abs(bounds[2 * axis + 1]) });
+  }
+  const double step = std::ldexp(1.0, std::ilogb(std::max(largest, 1e-30)) - 23);
+  return extent > 0.0 && step > VisibleFraction * extent ? step : 0.0;
+}
+
 Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
 {
   Surfaces surfaces;
@@ -167,6 +191,7 @@ Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
     }
     if (mesh->GetNumberOfCells() > 0 && mesh->GetNumberOfPoints() > 0)
     {
+      surfaces.RoundingStep = std::max(surfaces.RoundingStep, FindRoundingStep(mesh));
       surfaces.Meshes.push_back(mesh);
     }
   }
@@ -186,6 +211,15 @@ Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
   return surfaces;
 }
 
+}
+
+std::string DescribeRounding(const Surfaces& surfaces)
+{
+  std::ostringstream text;
+  text
+    << "coordinates of single precision are rounded to multiples of " << surfaces.RoundingStep
+    << "; subtract an offset from them before they are stored, or store them in double precision";
+  return text.str();
 }
 
 Surfaces ReadSurfaces(const std::string& path)

@@ -24,7 +24,12 @@ struct Surfaces
   std::vector<vtkSmartPointer<vtkPolyData>> Meshes;
   vtkIdType Points = 0;        ///< in the file
   vtkIdType DroppedPoints = 0; ///< non-finite points, skipped with the cells that use them
+  /// Distance of neighboring single-precision coordinates if it is visible in the bounds, else 0.
+  double RoundingStep = 0.0;
 };
+
+/// Returns the warning of a RoundingStep that is not 0.
+std::string DescribeRounding(const Surfaces& surfaces);
 
 /// Reads the surfaces of a file. Throws CommandError, naming the file, if it cannot be read,
 /// contains no cells or points, or is inconsistent.

@@ -143,6 +143,17 @@ std::string Upper(std::string text)
   return text;
 }
 
+/// The text in UTF-16 with a byte order mark.
+std::string Utf16(const std::string& text)
+{
+  std::string units = "\xff\xfe";
+  for (const char c : text)
+  {
+    units += { c, '\0' };
+  }
+  return units;
+}
+
 std::string Stl(const Mesh& mesh)
 {
   std::ostringstream text;
@@ -266,7 +277,7 @@ TEST(Stl, TextVariantsGiveTheSameImage)
   const std::string body = Stl(cube);
   const std::vector<std::pair<std::string, std::string>> variants = { { "plain", Solid(body) },
     { "upper", Upper(Solid(body)) }, { "end-solid", "solid a\n" + body + "end solid a\n" },
-    { "indented", "  " + Replace(Solid(body), "\n", "\n\t ") },
+    { "indented", "  " + Replace(Solid(body), "\n", "\n\t ") }, { "utf-16", Utf16(Solid(body)) },
     { "blank-first", "\n\n" + Solid(body) }, { "mark", "\xef\xbb\xbf" + Solid(body) },
     { "carriage-return", Replace(Solid(body), "\n", "\r") },
     { "dos", Replace(Solid(body), "\n", "\r\n") }, { "nameless", "solid\n" + body + "endsolid\n" },
@@ -287,7 +298,7 @@ TEST(Obj, VariantsGiveTheSameImage)
   const std::string points = PointLines(cube, "v ", "");
   const std::vector<std::pair<std::string, std::string>> variants = { { "plain", Obj(cube) },
     { "groups", points + "o a\ng b\nusemtl red\n" + FaceLines(cube, "f", 1) },
-    { "negative", points + FaceLines(cube, "f", -8) },
+    { "utf-16", Utf16(Obj(cube)) }, { "negative", points + FaceLines(cube, "f", -8) },
     { "texture", points + "vt 0 0\nvt 1\n" + FaceLines(cube, "f", 1, "/1") },
     { "broken-lines", points + Replace(FaceLines(cube, "f", 1), "f ", "f \\\n ") },
     { "comments", "# a\n" + points + FaceLines(cube, "f", 1, "", " # b") },
@@ -361,6 +372,28 @@ TEST(Formats, KeepTheDigitsOfLargeCoordinates)
   ExpectImageOf(folder, near, "text", ".obj", Obj(far));
   ExpectImageOf(folder, near, "text", ".off", Off(far));
   ExpectImageOf(folder, near, "text", ".stl", Solid(Stl(far)));
+}
+
+TEST(Formats, SinglePrecisionOfLargeCoordinatesIsReported)
+{
+  const Folder folder("single");
+  const std::string header(80, ' ');
+  for (const double offset : { 0.0, 5400000.0 })
+  {
+    std::string bytes = header;
+    Append(bytes, std::uint32_t(1), false);
+    for (const double value : { 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 5.0, 0.0, 0.0, 0.0, 5.0, 0.0 })
+    {
+      Append(bytes, static_cast<float>(value + offset), false);
+    }
+    Append(bytes, std::uint16_t(0), false);
+    WriteText(folder / "a.stl", bytes);
+    const ProgramResult outcome = Render(folder / "a.stl");
+    EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
+    EXPECT_EQ(CountLines(outcome.Errors), offset > 0.0 ? 1 : 0) << outcome.Errors;
+    EXPECT_EQ(outcome.Errors.find("multiples of 0.5") != std::string::npos, offset > 0.0)
+      << outcome.Errors;
+  }
 }
 
 TEST(Ply, PolygonsOfManyVerticesAreRead)
