@@ -8,6 +8,7 @@
 
 #include "Baking/BakeInput.h"
 #include "Embree/RayScene.h"
+#include "Surface.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
