@@ -7,6 +7,7 @@
 
 #include "Records/RecordPlacement.h"
 #include "Scene.h"
+#include "Surface.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkType.h"
