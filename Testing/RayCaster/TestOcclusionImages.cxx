@@ -116,6 +116,7 @@ TEST(OcclusionImage, KeepsToleranceAndEstimatesItsError)
       double raysPerPixel = 0.0;
       const Answer answer = Cast(renderer, Size, Size, [&](vtkPenumbraRayCaster* caster) {
         caster->SetTolerance(tolerance);
+        caster->SetLightTolerance(tolerance);
         caster->AmbientOcclusionOn();
         caster->SetAmbientOcclusionRadius(1e4);
         caster->SetAmbientOcclusionStrength(1.0);

@@ -276,6 +276,7 @@ std::function<ScenarioResult(Variant)> Units(double scale)
         RenderBurrAt(glm::dvec3(0.0), unit, false), Size, Size, [&](vtkPenumbraRayCaster* caster) {
           caster->AmbientOcclusionOn();
           caster->SetTolerance(1.0 / 64.0);
+          caster->SetLightTolerance(caster->GetTolerance());
           caster->SetAmbientOcclusionRadius(variant == Variant::Ablated ? .2 : 0.0);
         });
     };
@@ -298,6 +299,7 @@ ScenarioResult Mirror(Variant variant)
     return ByRays(renderer, Size, Size, [&](vtkPenumbraRayCaster* caster) {
       caster->AmbientOcclusionOn();
       caster->SetTolerance(variant == Variant::Ablated ? .5 : 1.0 / 128.0);
+      caster->SetLightTolerance(caster->GetTolerance());
     });
   };
   const Frame mirrored = shaded(-1.0);
