@@ -180,8 +180,8 @@ vtkSmartPointer<vtkLookupTable> ChooseTable(
   return MakeColormap(options.Colormap);
 }
 
-void AddScalarBar(
-  vtkRenderer* renderer, vtkLookupTable* table, const std::string& title, bool darkText)
+void AddScalarBar(vtkRenderer* renderer, vtkLookupTable* table, const std::string& title,
+  bool darkText, bool warnsOfFonts)
 {
   vtkNew<vtkScalarBarActor> bar;
   for (vtkTextProperty* text : { bar->GetTitleTextProperty(), bar->GetLabelTextProperty() })
@@ -192,8 +192,8 @@ void AddScalarBar(
       text->ShadowOff();
     }
   }
-  SetFontFor(title, bar->GetTitleTextProperty());
-  SetFontFor("0", bar->GetLabelTextProperty());
+  SetFontFor(title, bar->GetTitleTextProperty(), warnsOfFonts);
+  SetFontFor("0", bar->GetLabelTextProperty(), warnsOfFonts);
   bar->SetLookupTable(table);
   bar->SetTitle(title.c_str());
   bar->SetLabelFormat("%.4g");
@@ -202,8 +202,8 @@ void AddScalarBar(
 
 }
 
-void ColorByData(
-  vtkRenderer* renderer, const Mappers& all, const ColoringOptions& options, bool darkText)
+void ColorByData(vtkRenderer* renderer, const Mappers& all, const ColoringOptions& options,
+  bool darkText, bool warnsOfFonts)
 {
   const std::string name = ChooseArray(all, options);
   const Mappers mappers = FindMappersWith(all, name, options.ByCells);
@@ -247,7 +247,7 @@ void ColorByData(
   }
   if (options.ScalarBar)
   {
-    AddScalarBar(renderer, table, name, darkText);
+    AddScalarBar(renderer, table, name, darkText, warnsOfFonts);
   }
 }
 

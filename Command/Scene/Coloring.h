@@ -18,7 +18,7 @@ struct ColoringOptions;
 /// Colors every mapper whose data have the array and adds the scalar bar if requested,
 /// with black text if `darkText` is true, otherwise white text. Throws CommandError, which lists the available arrays, if no mapper has it.
 void ColorByData(vtkRenderer* renderer, const std::vector<vtkPolyDataMapper*>& mappers,
-  const ColoringOptions& options, bool darkText);
+  const ColoringOptions& options, bool darkText, bool warnsOfFonts);
 
 }
 #endif

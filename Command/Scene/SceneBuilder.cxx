@@ -140,7 +140,10 @@ vtkSmartPointer<vtkRenderer> BuildScene(const std::vector<vtkSmartPointer<vtkPol
   const Vector3 background = options.BackgroundColor.value_or(Vector3{ 0, 0, 0 });
   if (options.Coloring.Enabled)
   {
-    ColorByData(renderer, mappers, options.Coloring, NeedsDarkText(options, background));
+    // Viewers of SVG have other fonts, and PDF files without the characters are refused.
+    const bool warnsOfFonts = !IsVectorGraphic(options.Output);
+    ColorByData(
+      renderer, mappers, options.Coloring, NeedsDarkText(options, background), warnsOfFonts);
   }
   AddLights(renderer, options);
   renderer->SetBackground(background[0], background[1], background[2]);

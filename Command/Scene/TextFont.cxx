@@ -28,7 +28,7 @@ void Warn(const std::string& text, const std::string& font)
 
 }
 
-void SetFontFor(const std::string& text, vtkTextProperty* property)
+void SetFontFor(const std::string& text, vtkTextProperty* property, bool warns)
 {
   const std::u32string characters = DecodeUtf8(text);
   const char* chosen = std::getenv("PENUMBRA_FONT");
@@ -42,7 +42,7 @@ void SetFontFor(const std::string& text, vtkTextProperty* property)
           ": the file that PENUMBRA_FONT names is not a TrueType or OpenType font; set it to "
           "another");
     }
-    if (!HasCharacters(path, characters))
+    if (warns && !HasCharacters(path, characters))
     {
       Warn(text, path);
     }
@@ -51,7 +51,7 @@ void SetFontFor(const std::string& text, vtkTextProperty* property)
              [](char32_t character) { return character > LastOfVtkFont; }))
   {
     path = FindFontWith(characters);
-    if (path.empty())
+    if (warns && path.empty())
     {
       Warn(text, "no installed font has all characters: VTK's font");
     }

@@ -13,9 +13,9 @@ namespace penumbra
 {
 
 /// Sets a font that has the characters of `text`: the file that the environment variable
-/// PENUMBRA_FONT names, else VTK's font for Latin, else an installed font. Prints a warning if there
-/// is none. Throws CommandError if PENUMBRA_FONT names no font.
-void SetFontFor(const std::string& text, vtkTextProperty* property);
+/// PENUMBRA_FONT names, else VTK's font for Latin, else an installed font. If
+/// `warns`, prints a warning if there is none. Throws CommandError if PENUMBRA_FONT names no font.
+void SetFontFor(const std::string& text, vtkTextProperty* property, bool warns);
 
 }
 #endif
