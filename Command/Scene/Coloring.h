@@ -15,8 +15,9 @@ namespace penumbra
 
 struct ColoringOptions;
 
-/// Colors every mapper whose data have the array and adds the scalar bar if requested,
-/// with black text if `darkText` is true, otherwise white text. Throws CommandError, which lists the available arrays, if no mapper has it.
+/// Colors every mapper whose data have the array and adds the scalar bar if requested, with black
+/// text if `darkText`, otherwise white text. If `warnsOfFonts`, characters that no font has cause a
+/// warning. Throws CommandError, which lists the available arrays, if no mapper has the array.
 void ColorByData(vtkRenderer* renderer, const std::vector<vtkPolyDataMapper*>& mappers,
   const ColoringOptions& options, bool darkText, bool warnsOfFonts);
 
