@@ -30,7 +30,7 @@ class Library:
         start, = struct.unpack_from("<Q", self.data, 32)
         size, count = struct.unpack_from("<HH", self.data, 54)
         headers = [struct.unpack_from("<IIQQQQ", self.data, start + i * size) for i in range(count)]
-        self.segments = [(address, offset, length) for kind, _, offset, address, _, length in headers if kind == LOAD]
+        self.segments: list[tuple[int, int, int]] = [(address, offset, length) for kind, _, offset, address, _, length in headers if kind == LOAD]
         dynamic = next(offset for kind, _, offset, *_ in headers if kind == DYNAMIC)
         tags = dict(self._tags(dynamic))
         self.strings, self.symbols, self.hashes = (self.offset(tags[tag]) for tag in (STRINGS, SYMBOLS, HASHES))

@@ -139,7 +139,7 @@ def compare(
         sizes = [f"{image.GetDimensions()[0]} by {image.GetDimensions()[1]}" for image in (first, second)]
         raise ValueError(f"a has {sizes[0]} pixels and b {sizes[1]}: compare images of one size")
     if mask is None and _are_equal(a, b):
-        return Comparison(*[0.0] * len(METRICS), near=True, worst=(),
+        return Comparison(**dict.fromkeys(METRICS, 0.0), near=True, worst=(),
                           difference=np.zeros((*first.GetDimensions()[1::-1], 3), np.uint8))
     comparison.SetImage(first)
     comparison.AddBaseline(second)
