@@ -273,8 +273,8 @@ def _resolve(
 ) -> tuple[list[Any], tuple[int, int]]:
     """Return the renderers of a scene and the size of the image."""
     pixels = check_size("size", (1024, 768) if size is None else size)
-    if not hasattr(scene, "IsA") and not isinstance(scene, tuple) and (found := mesh_arrays(scene)) is not None:
-        scene = found
+    if not hasattr(scene, "IsA") and (found := mesh_arrays(scene)) is not None:
+        return _resolve(found, size, color, camera, point_radius, line_radius)
     if hasattr(scene, "render_window") and hasattr(scene, "renderers"):  # a PyVista plotter
         prepare_plotter(scene)
         window = scene.render_window
