@@ -6,6 +6,7 @@
 #include "Baking/BakedArrays.h"
 #include "Baking/Baking.h"
 #include "Baking/CompositeMesh.h"
+#include "Baking/Contacts.h"
 #include "Baking/DirectLight.h"
 #include "Baking/OcclusionBaking.h"
 #include "Conventions/Statistics.h"
@@ -61,7 +62,7 @@ bool AddSampledLight(const Illumination& light, const std::vector<RecordCandidat
       }
       long long count = 0;
       const auto sampled =
-        light.EstimateSampledLight(sites[i].Position, sites[i].Normal, tolerance, count);
+        light.EstimateSampledLight(sites[i].Position, sites[i].GetNormals(), tolerance, count);
       baked.Values[i].Mean += sampled.Mean;
       baked.Values[i].Error = std::hypot(baked.Values[i].Error, sampled.Error);
       rays += count;
@@ -283,6 +284,7 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
     }
   }
   work.Rays = std::make_unique<RayScene>(mesh.OccluderScene, this->NumberOfThreads, work.Progress);
+  SeparateContacts(*work.Rays, mesh, work.Progress);
   work.Tree.Initialize(glm::vec3(0.f), .5f);
   work.Settings.MaximumRadiusPixels = MaximumRadiusPixels;
   const bool done = this->Quantity == IRRADIANCE ? this->BakeIrradiance(work)
@@ -389,8 +391,9 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
     complete[&site - work.Mesh.Sites.data()] = 1;
     const glm::dvec3 world = scene.ToWorld(site.Position);
     const glm::dvec3 normal(site.Normal);
-    const auto estimate =
-      provider->Irradiance(&world.x, &normal.x, BruteForceErrorFactor * radiance * this->Tolerance);
+    const glm::dvec3 geometricNormal(site.GetNormals().Geometric);
+    const auto estimate = provider->Irradiance(
+      &world.x, &normal.x, BruteForceErrorFactor * radiance * this->Tolerance, &geometricNormal.x);
     count += estimate.Rays;
     return BakedValue{ glm::vec3(estimate.Value[0], estimate.Value[1], estimate.Value[2]) /
         static_cast<float>(vtkMath::Pi()),

@@ -260,8 +260,8 @@ private:
     return length > 0.0 && std::isfinite(length) ? glm::vec3(normal / length) : glm::vec3(0.f);
   }
 
-  /// Adds a query point for the point or cell `id` of the surface.
-  void AddSite(vtkIdType id, glm::vec3 position, glm::vec3 normal, float spacing)
+  /// Adds a query point for the point or cell `id` of the surface. Returns false if it has none.
+  bool AddSite(vtkIdType id, glm::vec3 position, glm::vec3 normal, float spacing)
   {
     if (!this->Originals.empty())
     {
@@ -269,12 +269,12 @@ private:
     }
     if (id < 0)
     {
-      return; // added by the surface extraction
+      return false; // added by the surface extraction
     }
     if (normal == glm::vec3(0.f))
     {
       ++this->Result.NotFinite;
-      return;
+      return false;
     }
     RecordCandidate site;
     site.Position = position;
@@ -282,7 +282,11 @@ private:
     site.Pixel = spacing;
     this->Result.Sites.push_back(site);
     this->Result.Ids.push_back(id);
+    return true;
   }
+
+  /// Adds the end of the corners of the last query point.
+  void EndCorners() { this->Result.CornerEnds.push_back(this->Result.Corners.size()); }
 
   /// Counts the points or cells, `count` in total, without a query point. A cell may have several,
   /// one per face.
@@ -304,10 +308,12 @@ private:
       {
         ++this->Result.NotFinite;
       }
-      else if (this->EdgeCounts[i] > 0)
-      {
+      else if (this->EdgeCounts[i] > 0 &&
         this->AddSite(point, this->Positions[i], this->GetNormal(point),
-          this->EdgeSums[i] / static_cast<float>(this->EdgeCounts[i]));
+          this->EdgeSums[i] / static_cast<float>(this->EdgeCounts[i])))
+      {
+        this->Result.Corners.push_back(static_cast<std::uint32_t>(i));
+        this->EndCorners();
       }
     }
     this->CountUnused(this->Data->GetNumberOfPoints());
@@ -348,9 +354,13 @@ private:
       {
         size = std::max(size, glm::distance(center, this->Positions[polygon->GetPointId(k)]));
       }
-      if (normal != glm::vec3(0.f))
+      if (normal != glm::vec3(0.f) && this->AddSite(cell, center, glm::normalize(normal), size))
       {
-        this->AddSite(cell, center, glm::normalize(normal), size);
+        for (vtkIdType k = 0; k < count; ++k)
+        {
+          this->Result.Corners.push_back(static_cast<std::uint32_t>(polygon->GetPointId(k)));
+        }
+        this->EndCorners();
       }
     }
     this->CountUnused(this->Data->GetNumberOfCells());

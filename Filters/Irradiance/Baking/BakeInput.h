@@ -12,7 +12,10 @@
 #include "vtkBoundingBox.h"
 #include "vtkType.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkPointSet;
@@ -35,12 +38,28 @@ struct BakeInput
   Scene OccluderScene;                        ///< centered on the data set
   std::vector<RecordCandidate> Sites;         ///< query points, with the bounds of records
   std::vector<vtkIdType> Ids;                 ///< point or cell of the data set of each query point
+  std::vector<float> Weights;                 ///< of the query points of one id; empty: equal
   std::vector<std::string> SkippedAttributes; ///< one message per attribute of invalid size
   vtkIdType Unused = 0;    ///< points without a cell or cells without area, not baked
   vtkIdType NotFinite = 0; ///< points or normals that are not finite, not baked
   vtkBoundingBox Bounds;   ///< of all finite points, world units
   double Diagonal = 0.0;   ///< of Bounds, world units
   float Spacing = 0.f;     ///< mean distance of neighboring query points, scene units
+
+  /// Positions of the first surface that belong to each query point: its own, or the corners of its
+  /// cell. Empty for disks.
+  std::vector<std::uint32_t> Corners;
+  std::vector<std::size_t> CornerEnds; ///< index into Corners behind those of each query point
+
+  std::size_t GetNumberOfCornerLists() const { return this->CornerEnds.size(); }
+
+  /// Returns the range of Corners of a query point.
+  std::pair<const std::uint32_t*, const std::uint32_t*> GetCorners(std::size_t site) const
+  {
+    const std::uint32_t* const corners = this->Corners.data();
+    return { corners + (site == 0 ? 0 : this->CornerEnds[site - 1]),
+      corners + this->CornerEnds[site] };
+  }
 };
 
 /// Extracts the input of baking from `data`. Throws Stopped if `progress` requests a stop, like

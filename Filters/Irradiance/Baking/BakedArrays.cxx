@@ -18,17 +18,18 @@ vtkSmartPointer<vtkFloatArray> CreateArray(const BakeInput& mesh, const BakedVal
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(size);
   array->Fill(0.0);
-  std::vector<unsigned char> faces(static_cast<std::size_t>(size), 0);
+  std::vector<float> sums(static_cast<std::size_t>(size), 0.f); // of the weights
   for (std::size_t i = 0; i < mesh.Ids.size(); ++i)
   {
     const vtkIdType id = mesh.Ids[i];
-    unsigned char& count = faces[static_cast<std::size_t>(id)];
-    count = static_cast<unsigned char>(std::min(count + 1, 255));
+    const float weight = mesh.Weights.empty() ? 1.f : mesh.Weights[i];
+    float& sum = sums[static_cast<std::size_t>(id)];
+    sum += weight;
     for (int c = 0; c < components; ++c)
     {
       const float before = array->GetTypedComponent(id, c);
       const float value = scale * baked.Values[i].Mean[c];
-      array->SetTypedComponent(id, c, before + (value - before) / static_cast<float>(count));
+      array->SetTypedComponent(id, c, before + weight / sum * (value - before));
     }
   }
   return array;

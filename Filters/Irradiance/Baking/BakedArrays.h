@@ -15,7 +15,7 @@ namespace penumbra
 {
 
 /// Returns an array of `scale` times the means at all points or cells, 0 for those without a query
-/// point. A cell with several faces gets the mean over its faces.
+/// point. A point or cell with several query points gets their weighted mean.
 vtkSmartPointer<vtkFloatArray> CreateArray(const BakeInput& mesh, const BakedValues& baked,
   vtkIdType size, const char* name, int components, float scale);
 

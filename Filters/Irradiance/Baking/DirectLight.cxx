@@ -61,9 +61,11 @@ VisibleFraction EstimateFraction(const Shading& shading, const Light& light,
 {
   if (light.HasSize())
   {
-    return shading.ComputeVisibleFraction(light, site.Position, site.Normal, tolerance, rays);
+    return shading.ComputeVisibleFraction(
+      light, site.Position, site.GetNormals().Geometric, tolerance, rays);
   }
-  const glm::vec3 origin = site.Position + RayOriginOffset(site.Position) * site.Normal;
+  const glm::vec3 origin =
+    site.Position + RayOriginOffset(site.Position) * site.GetNormals().Geometric;
   return { shading.TraceTransmittance(AreaLight(light, origin).MakeRay(glm::vec2(0.f)), rays),
     0.f };
 }

@@ -21,7 +21,8 @@ BakedValue EstimateAt(
 {
   const glm::dvec3 world = scene.ToWorld(site.Position);
   const glm::dvec3 normal(site.Normal);
-  const auto found = estimate(&world.x, &normal.x);
+  const glm::dvec3 geometricNormal(site.GetNormals().Geometric);
+  const auto found = estimate(&world.x, &normal.x, &geometricNormal.x);
   rays += found.Rays;
   return { glm::vec3(static_cast<float>(found.Value)), static_cast<float>(found.Error) };
 }
@@ -48,23 +49,24 @@ bool BakeOcclusion(const BakeInput& mesh, const RayScene& rays, const Gatherer& 
   vtkNew<vtkPenumbraBruteForceIrradiance> lowSampleProvider;
   lowSampleProvider->Begin(rays, settings.Occluders, 0.0);
   const double noise = std::min(constants.LowSampleNoiseFactor * tolerance, MaximumLowSampleNoise);
-  const PointEstimators estimators{
-    [&](const RecordCandidate& site, long long& count) {
-      return EstimateAt(
-        scene, site, [&](const double* x, const double* n) { return provider->Occlusion(x, n); },
-        count);
-    },
+  const PointEstimators estimators{ [&](const RecordCandidate& site, long long& count) {
+                                     return EstimateAt(
+                                       scene, site,
+                                       [&](const double* x, const double* n, const double* g) {
+                                         return provider->Occlusion(x, n, g);
+                                       },
+                                       count);
+                                   },
     [&](const RecordCandidate& site, long long& count) {
       return EstimateAt(
         scene, site,
-        [&](const double* x, const double* n) {
-          return lowSampleProvider->OcclusionWithin(x, n, noise);
+        [&](const double* x, const double* n, const double* g) {
+          return lowSampleProvider->OcclusionWithin(x, n, noise, g);
         },
         count);
     },
     static_cast<float>(constants.DenoisedErrorFactor * tolerance),
-    static_cast<float>(constants.RegressionRadius)
-  };
+    static_cast<float>(constants.RegressionRadius) };
   const bool done = Bake(
     mesh.Sites, mesh.Spacing, settings.UsesRecords, placement, tree, estimators, progress, result);
   for (BakedValue& value : result.Values)

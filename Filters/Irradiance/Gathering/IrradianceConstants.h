@@ -310,6 +310,35 @@ constexpr std::size_t MinimumSurplus = 2;
 /// Maximum number of points used per grid cell, many times the number on a mesh of uniform density.
 constexpr std::size_t MaximumPointsPerCell = 128;
 
+// --- Baking: points in contact with other polygons ---
+
+/// Distance by which such a point is moved into its polygons, over its spacing: small, so that the
+/// value is that of the point. Minimum of the distance over the height of ray origins: origins over
+/// a moved point are inside of concave edges of more than 2 degrees.
+constexpr float ContactOffset = 1e-3f;
+constexpr float ContactOffsetPerRayOffset = 32.f;
+
+/// Maximum of the distance over the length of the triangle along its bisector.
+constexpr float MaximumContactFraction = 0.25f;
+
+/// Polygons with a larger cosine to the normal of the point are parallel: all ray origins around the
+/// point are on the same side of them.
+constexpr float ContactParallelCosine = 0.999f;
+
+/// A polygon in contact separates a triangle if the sines of the angles between it and the sides of
+/// the triangle exceed this.
+constexpr float MinimumContactSine = 0.01f;
+
+/// The parts of a point on the same side of all polygons in contact are used as one if their mean
+/// bisector has at least this length. It is 0 if they surround the point.
+constexpr float MinimumContactBisector = 0.3f;
+
+/// Maximum number of parts of a point; those with the largest angles are used. Maximum number of
+/// planes that separate them, and of triangles near a point that are tested for contact.
+constexpr std::size_t MaximumContactParts = 16;
+constexpr std::size_t MaximumContactPlanes = 8;
+constexpr int MaximumContacts = 4096;
+
 // --- All: fraction of the progress ---
 
 /// Fraction of the progress of irradiance spent on all reflections but the last: of a view, and of

@@ -11,7 +11,6 @@
 #include "RoundGeometry.h"
 #include "RoundIntersection.h"
 #include "Scene.h"
-#include "SliverGeometry.h"
 #include "SliverTree.h"
 #include "Surface.h"
 #include "TriangleGeometry.h"

@@ -12,6 +12,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -102,6 +103,9 @@ public:
   /// plane, or null.
   const PlanarCells* GetCells(std::uint32_t surface) const;
 
+  /// Returns Embree's BVH of all surfaces.
+  RTCSceneTy* GetTree() const { return this->EmbreeScene; }
+
   /// Returns the BVH of the triangles of a surface with Instances, in their own coordinates, or
   /// null.
   RTCSceneTy* GetShape(std::uint32_t surface) const;
@@ -133,6 +137,12 @@ private:
   RTCSceneTy* EmbreeScene = nullptr;
   bool TracesPackets16 = false; ///< the processor traces packets of 16 rays, not 8
 };
+
+/// Calls visit(surface, triangle) for the triangles within `radius` of `point`, in scene units,
+/// until it returns true. The order is arbitrary, and a triangle may be visited several times.
+/// Spheres, tubes and instances are not visited.
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT void VisitTrianglesNear(const RayScene& rays, glm::vec3 point,
+  float radius, const std::function<bool(std::uint32_t, std::uint32_t)>& visit);
 
 }
 #endif

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SliverGeometry.h"
-
 #include "CoincidentSurfaces.h"
 #include "PlanarCells.h"
 #include "RayTriangle.h"
 #include "SliverTree.h"
 #include "Surface.h"
+#include "TriangleGeometry.h"
 
 #include <algorithm>
 #include <cmath>
