@@ -5,7 +5,10 @@
 #include "Engines/Engine.h"
 #include "Engines/RenderOutput.h"
 #include "Files/Report.h"
+#include "Film/StepInput.h"
+#include "Options/Placeholders.h"
 #include "Options/RenderOptions.h"
+#include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 #include "Processes/ProgressLine.h"
@@ -46,7 +49,7 @@ std::string ReplaceName(const std::string& pattern, const std::string& file)
 bool HasName(const std::string& pattern)
 {
   return std::any_of(std::begin(NamePlaceholders), std::end(NamePlaceholders),
-    [&](const std::string& placeholder) { return pattern.find(placeholder) != std::string::npos; });
+    [&](const std::string& placeholder) { return Contains(pattern, placeholder); });
 }
 
 // Renders one image, in a worker process.
@@ -64,7 +67,8 @@ int RenderImage(const RenderOptions& options, Clock::time_point start)
   PhaseTimes preparation{ start };
   std::vector<std::string> warnings;
   Clock::time_point lap = Clock::now();
-  const auto meshes = ReadMeshes(options.Files, progress, warnings);
+  const auto meshes =
+    ReadMeshes(options.Files, GetInputOptions(options, options.ShownTime), progress, warnings);
   preparation.ReadSeconds = SecondsSince(lap);
 
   EnterPhase("rendering " + options.Output, Unavailable);
@@ -83,8 +87,8 @@ int RenderImage(const RenderOptions& options, Clock::time_point start)
   return Done;
 }
 
-// Returns the options of each image: one for all files, or one per file if the output path contains {name}.
-std::vector<RenderOptions> PlanImages(const RenderOptions& options)
+// Returns the options of each scene: one of all files, or one per file if the output path contains {name}.
+std::vector<RenderOptions> PlanScenes(const RenderOptions& options)
 {
   if (!HasName(options.Output))
   {
@@ -99,7 +103,7 @@ std::vector<RenderOptions> PlanImages(const RenderOptions& options)
     throw CommandError(BadInput,
       "--statistics " + options.Statistics + ": the path must contain {name}, one file per image");
   }
-  std::vector<RenderOptions> images;
+  std::vector<RenderOptions> scenes;
   std::set<std::string> outputs;
   for (const std::string& file : options.Files)
   {
@@ -107,29 +111,117 @@ std::vector<RenderOptions> PlanImages(const RenderOptions& options)
     one.Files = { file };
     one.Output = ReplaceName(options.Output, file);
     one.Statistics = ReplaceName(options.Statistics, file);
-    if (options.Files.size() > 1)
-    {
-      one.Progress = "none";
-    }
     if (!outputs.insert(one.Output).second)
     {
       throw CommandError(BadInput,
         file + ": another file has the same output " + one.Output + "; rename one of the two");
     }
+    scenes.push_back(one);
+  }
+  return scenes;
+}
+
+// Returns whether images depend on the times of the files.
+bool UsesTime(const RenderOptions& options)
+{
+  return options.Time.IsSet() || options.TimeLabel ||
+    (options.Coloring.Enabled && options.Coloring.RangeOfAllSteps) ||
+    Contains(options.Text, TimePlaceholder) || Contains(options.Output, TimePlaceholder) ||
+    Contains(options.Statistics, TimePlaceholder);
+}
+
+// Returns the images of a scene: one, or one per time of --times.
+std::vector<RenderOptions> PlanTimes(const RenderOptions& scene, const Timeline& timeline)
+{
+  const std::string name = scene.Files.size() == 1 ? scene.Files.front() : "the set of files";
+  std::vector<double> times = SelectTimes(scene.Time, timeline, name);
+  if (!scene.Time.IsSet() && times.size() > 1)
+  {
+    times.resize(1);
+  }
+  if (times.size() > 1 && !Contains(scene.Output, TimePlaceholder))
+  {
+    throw CommandError(BadInput, "--times requires an --output that contains {time}");
+  }
+  if (times.size() > 1 && !scene.Statistics.empty() && !Contains(scene.Statistics, TimePlaceholder))
+  {
+    throw CommandError(BadInput,
+      "--statistics " + scene.Statistics + ": the path must contain {time}, one file per image");
+  }
+  const bool usesRangeOnly = !Contains(scene.Output, TimePlaceholder) &&
+    !Contains(scene.Statistics, TimePlaceholder) && !Contains(scene.Text, TimePlaceholder) &&
+    !scene.TimeLabel;
+  if (times.empty() && !usesRangeOnly)
+  {
+    throw CommandError(BadInput, "--time-label or {time}: " + name + " has no time steps");
+  }
+  const std::vector<std::string> texts = FormatTimes(times);
+  std::vector<RenderOptions> images;
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    RenderOptions one = scene;
+    one.ShownTime = times[i];
+    one.TimeText = texts[i];
+    one.Output = ReplaceAll(one.Output, TimePlaceholder, texts[i]);
+    one.Statistics = ReplaceAll(one.Statistics, TimePlaceholder, texts[i]);
     images.push_back(one);
   }
-  return images;
+  return images.empty() ? std::vector<RenderOptions>{ scene } : images;
+}
+
+// Replaces scenes by their images. Returns the exit status of reading the times of the files.
+int PlanImages(std::vector<RenderOptions>& images)
+{
+  std::vector<std::vector<std::string>> files;
+  for (const RenderOptions& image : images)
+  {
+    files.push_back(image.Files);
+  }
+  std::vector<Timeline> timelines;
+  const int status = ReadTimelines(files, images.front().Jobs, timelines);
+  std::vector<RenderOptions> scenes;
+  scenes.swap(images);
+  for (std::size_t i = 0; i < scenes.size() && status == Done; ++i)
+  {
+    std::vector<StepInput> steps;
+    for (const double time : timelines[i].Times)
+    {
+      steps.push_back({ scenes[i].Files, time });
+    }
+    if (scenes[i].Coloring.Enabled && scenes[i].Coloring.RangeOfAllSteps && steps.size() > 1)
+    {
+      SetRangeOfAllSteps(steps, scenes[i]);
+    }
+    for (const RenderOptions& image : PlanTimes(scenes[i], timelines[i]))
+    {
+      images.push_back(image);
+    }
+  }
+  return status;
 }
 
 int Render(const RenderOptions& options, Clock::time_point start)
 {
-  std::vector<RenderOptions> images = PlanImages(options);
+  std::vector<RenderOptions> images = PlanScenes(options);
   RecordInputs(options);
-  for (const RenderOptions& image : images)
+  const int status = UsesTime(options) ? PlanImages(images) : Done;
+  if (status != Done)
   {
-    CheckFiles(image);
+    return status;
   }
   const int count = static_cast<int>(images.size());
+  for (RenderOptions& image : images)
+  {
+    CheckFiles(image);
+    if (image.Output != options.Output)
+    {
+      CreateFolders(image);
+    }
+    if (count > 1)
+    {
+      image.Progress = "none";
+    }
+  }
   const int jobs = std::min(options.Jobs, count);
   if (jobs > 1 && options.Threads == 0)
   {
@@ -175,9 +267,11 @@ Action DeclareRender(const CommandLine& program)
       {
         warnings.emplace_back("--frames has no effect with --engine ray");
       }
-      if (app.Count("--jobs") > 0 && !(HasName(options->Output) && options->Files.size() > 1))
+      if (app.Count("--jobs") > 0 && !(HasName(options->Output) && options->Files.size() > 1) &&
+        !options->Time.Range)
       {
-        warnings.emplace_back("--jobs has no effect without several files and {name} in --output");
+        warnings.emplace_back(
+          "--jobs has no effect without several files and {name} in --output, or --times");
       }
       for (const std::string& warning : warnings)
       {

@@ -5,12 +5,12 @@
 #include "Files/ImageFiles.h"
 #include "Files/InputFiles.h"
 #include "Files/Report.h"
-#include "Input/Surfaces.h"
 #include "Options/RenderOptions.h"
 #include "Processes/CommandError.h"
 #include "Processes/ProgressLine.h"
 #include "Processes/Worker.h"
 
+#include "vtkActorCollection.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -60,6 +60,10 @@ std::string DescribeEmptyImage(
   {
     return std::string();
   }
+  if (renderer->GetActors()->GetNumberOfItems() == 0)
+  {
+    return "the time step is empty";
+  }
   if (options.Opacity == 0.0)
   {
     return "all surfaces are transparent and the image shows only the background; raise --opacity";
@@ -75,26 +79,21 @@ std::string DescribeEmptyImage(
 
 }
 
-std::string ReplaceAll(
-  std::string pattern, const std::string& placeholder, const std::string& value)
+InputOptions GetInputOptions(
+  const RenderOptions&, std::optional<double> time, bool allowEmpty)
 {
-  for (std::size_t at = 0; (at = pattern.find(placeholder, at)) != std::string::npos;
-       at += value.size())
-  {
-    pattern.replace(at, placeholder.size(), value);
-  }
-  return pattern;
+  return { time, allowEmpty };
 }
 
-std::vector<vtkSmartPointer<vtkPolyData>> ReadMeshes(
-  const std::vector<std::string>& files, ProgressLine& progress, std::vector<std::string>& warnings)
+std::vector<vtkSmartPointer<vtkPolyData>> ReadMeshes(const std::vector<std::string>& files,
+  const InputOptions& input, ProgressLine& progress, std::vector<std::string>& warnings)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> meshes;
   for (std::size_t i = 0; i < files.size(); ++i)
   {
     progress.Show("reading", static_cast<double>(i) / files.size());
     EnterPhase(files[i], BadInput);
-    const Surfaces surfaces = ReadSurfaces(files[i]);
+    const Surfaces surfaces = ReadSurfaces(files[i], input);
     meshes.insert(meshes.end(), surfaces.Meshes.begin(), surfaces.Meshes.end());
     if (surfaces.DroppedPoints > 0)
     {
@@ -165,6 +164,15 @@ void RecordInputs(const RenderOptions& options)
     RecordInput(file);
   }
   RecordInput(options.Light.EnvironmentFile);
+}
+
+void CreateFolders(const RenderOptions& options)
+{
+  for (const std::string& path : { options.Output, options.Statistics })
+  {
+    std::error_code ignored;
+    std::filesystem::create_directories(std::filesystem::path(path).parent_path(), ignored);
+  }
 }
 
 void CheckFiles(const RenderOptions& options)

@@ -8,6 +8,7 @@
 
 #include "Engine.h"
 #include "Files/AtomicFile.h"
+#include "Input/Surfaces.h"
 #include "Processes/Clock.h"
 
 #include <optional>
@@ -21,13 +22,13 @@ namespace penumbra
 
 class ProgressLine;
 
-/// Returns `pattern` with every `placeholder` replaced by `value`.
-std::string ReplaceAll(
-  std::string pattern, const std::string& placeholder, const std::string& value);
+/// Returns what `options` request of the input files.
+InputOptions GetInputOptions(
+  const RenderOptions& options, std::optional<double> time, bool allowEmpty = false);
 
 /// Reads the surfaces of all files in order. Skipped points are reported in `warnings`.
 std::vector<vtkSmartPointer<vtkPolyData>> ReadMeshes(const std::vector<std::string>& files,
-  ProgressLine& progress, std::vector<std::string>& warnings);
+  const InputOptions& input, ProgressLine& progress, std::vector<std::string>& warnings);
 
 /// Times of the phases before rendering.
 struct PhaseTimes
@@ -55,6 +56,9 @@ private:
 
 /// Records the files that `options` name as inputs.
 void RecordInputs(const RenderOptions& options);
+
+/// Creates the folders of the output files if they do not exist. Errors are left to OutputFiles.
+void CreateFolders(const RenderOptions& options);
 
 /// Throws CommandError if an output would overwrite an input or the other output.
 void CheckFiles(const RenderOptions& options);

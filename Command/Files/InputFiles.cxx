@@ -24,7 +24,15 @@ namespace
 namespace fs = std::filesystem;
 
 using FileId = std::pair<dev_t, ino_t>;
-using Files = std::map<FileId, unsigned long long>; ///< with their sizes in bytes
+
+/// Size in bytes and time of the last change in nanoseconds.
+struct FileState
+{
+  unsigned long long Bytes;
+  long long Changed;
+};
+
+using Files = std::map<FileId, FileState>;
 
 Files Inputs;
 
@@ -32,7 +40,11 @@ bool Add(const fs::path& path, Files& files)
 {
   struct stat status = {};
   return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) &&
-    files.emplace(FileId(status.st_dev, status.st_ino), status.st_size).second;
+    files
+      .emplace(FileId(status.st_dev, status.st_ino),
+        FileState{ static_cast<unsigned long long>(status.st_size),
+          status.st_mtim.tv_sec * 1000000000ll + status.st_mtim.tv_nsec })
+      .second;
 }
 
 // Returns whether the format refers to other files.
@@ -40,7 +52,7 @@ bool IsIndex(const fs::path& path)
 {
   const std::string extension = LowerExtension(path);
   const char* known[] = { ".vtm", ".vtmb", ".vtpd", ".vtpc", ".pvtp", ".pvtu", ".pvti", ".pvts",
-    ".pvtr", ".case", ".encas", ".xdmf", ".xmf", ".mhd", ".nhdr", ".gltf" };
+    ".pvtr", ".pvd", ".series", ".case", ".encas", ".xdmf", ".xmf", ".mhd", ".nhdr", ".gltf" };
   return std::find(std::begin(known), std::end(known), extension) != std::end(known);
 }
 
@@ -182,9 +194,23 @@ unsigned long long InputBytes(const std::string& path)
   unsigned long long bytes = 0;
   for (const auto& file : files)
   {
-    bytes += file.second;
+    bytes += file.second.Bytes;
   }
   return bytes;
+}
+
+std::string DescribeInput(const std::string& path)
+{
+  Files files;
+  AddTree(path, files);
+  unsigned long long bytes = 0;
+  long long changed = 0;
+  for (const auto& file : files)
+  {
+    bytes += file.second.Bytes;
+    changed = std::max(changed, file.second.Changed);
+  }
+  return path + ' ' + std::to_string(bytes) + ' ' + std::to_string(changed);
 }
 
 }

@@ -21,5 +21,8 @@ bool IsInput(const std::string& path);
 /// Returns the size in bytes of `path` and the files that it refers to.
 unsigned long long InputBytes(const std::string& path);
 
+/// Returns a text that changes if `path` or a file that it refers to changes.
+std::string DescribeInput(const std::string& path);
+
 }
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Readers.h"
 
+#include "FileSeries.h"
 #include "Files/FileExtension.h"
 #include "Files/GltfCopy.h"
 #include "Formats/MeshArrays.h"
@@ -9,6 +10,7 @@
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 #include "Processes/Worker.h"
+#include "TimeSteps.h"
 #include "Truncation/Truncation.h"
 #include "VolumeOrientation.h"
 #include "WindingCorrection.h"
@@ -108,6 +110,25 @@ Algorithm MakeExodus(const std::string& path)
   return reader;
 }
 
+#ifdef PENUMBRA_HAS_IOCGNSReader
+Algorithm MakeCgns(const std::string& path)
+{
+  auto reader = vtkSmartPointer<vtkCGNSReader>::New();
+  reader->SetFileName(path.c_str());
+  reader->UpdateInformation();
+  reader->EnableAllPointArrays();
+  reader->EnableAllCellArrays();
+  return reader;
+}
+#endif
+
+// The steps of a series are read by the readers of their files, see ReadFileSeries().
+Algorithm MakeSeries(const std::string& path)
+{
+  throw CommandError(
+    BadInput, path + ": a time series is not supported here; name one of its files");
+}
+
 #define PENUMBRA_READER(reader) #reader, Make < reader>
 
 std::vector<ReaderRow> MakeTable()
@@ -126,6 +147,7 @@ std::vector<ReaderRow> MakeTable()
     { { ".vts" }, "VTK structured grid", PENUMBRA_READER(vtkXMLStructuredGridReader) },
     { { ".vtr" }, "VTK rectilinear grid", PENUMBRA_READER(vtkXMLRectilinearGridReader) },
     { { ".vtm", ".vtmb" }, "VTK multi-block", PENUMBRA_READER(vtkXMLMultiBlockDataReader) },
+    { { ".pvd", ".series" }, "Time series of files", "Penumbra", MakeSeries },
     { { ".vtpd" }, "VTK partitioned", PENUMBRA_READER(vtkXMLPartitionedDataSetReader) },
     { { ".vtpc" }, "VTK partitioned collection",
       PENUMBRA_READER(vtkXMLPartitionedDataSetCollectionReader) },
@@ -144,7 +166,7 @@ std::vector<ReaderRow> MakeTable()
     { { ".foam" }, "OpenFOAM", PENUMBRA_READER(vtkOpenFOAMReader) },
     { { ".cas" }, "Fluent", PENUMBRA_READER(vtkFLUENTReader) },
 #ifdef PENUMBRA_HAS_IOCGNSReader
-    { { ".cgns" }, "CGNS", PENUMBRA_READER(vtkCGNSReader) },
+    { { ".cgns" }, "CGNS", "vtkCGNSReader", MakeCgns },
 #endif
     { { ".tec", ".tp" }, "Tecplot ASCII", PENUMBRA_READER(vtkTecplotReader) },
     { { ".inp" }, "Abaqus", "Penumbra", nullptr, ReadAbaqus, nullptr, nullptr, IsAbaqus },
@@ -256,7 +278,31 @@ const std::vector<ReaderRow>& Readers()
   return table;
 }
 
-vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path)
+std::vector<double> ReadTimes(const std::string& path)
+{
+  const ReaderRow& row = FindReader(path);
+  CheckFile(path);
+  if (IsFileSeries(path))
+  {
+    std::vector<double> times;
+    for (const SeriesStep& step : ReadFileSeries(path))
+    {
+      times.push_back(step.Time);
+    }
+    return times;
+  }
+  TakeErrors();
+  const TemporaryFile copy(row.Prepare ? row.Prepare(path) : std::string());
+  const std::vector<double> times = UpdateTimes(row.Make(copy.Path.empty() ? path : copy.Path));
+  const std::vector<std::string> errors = TakeErrors();
+  if (!errors.empty())
+  {
+    FailReading(path, row, errors.front());
+  }
+  return times;
+}
+
+vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path, std::optional<double> time)
 {
   const ReaderRow& row = FindReader(path);
   CheckFile(path);
@@ -272,7 +318,14 @@ vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path)
   TakeErrors();
   const TemporaryFile copy(row.Prepare ? row.Prepare(path) : std::string());
   const Algorithm reader = row.Make(copy.Path.empty() ? path : copy.Path);
-  reader->Update();
+  if (time)
+  {
+    UpdateAtTime(reader, *time);
+  }
+  else
+  {
+    reader->Update();
+  }
   vtkSmartPointer<vtkDataObject> data = reader->GetOutputDataObject(0);
   const std::vector<std::string> errors = TakeErrors();
   if (IndicatesOutOfMemory(errors))

@@ -7,6 +7,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,14 @@ struct ReaderRow
 
 const std::vector<ReaderRow>& Readers();
 
-/// Reads a file. Throws CommandError, naming the file, if it cannot be read completely.
-vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path);
+/// Reads a file, at a time if it has time steps; default: the first. Throws CommandError, naming the
+/// file, if it cannot be read completely.
+vtkSmartPointer<vtkDataObject> ReadFile(
+  const std::string& path, std::optional<double> time = std::nullopt);
+
+/// Returns the times of the steps of a file or of a file series in ascending order. Throws
+/// CommandError, naming the file, if they cannot be read.
+std::vector<double> ReadTimes(const std::string& path);
 
 }
 #endif

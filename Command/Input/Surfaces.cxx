@@ -3,11 +3,13 @@
 #include "Surfaces.h"
 
 #include "DataSetValidation.h"
+#include "FileSeries.h"
 #include "Files/InputFiles.h"
 #include "Processes/CommandError.h"
 #include "Processes/Worker.h"
 #include "ReadLimit.h"
 #include "Readers.h"
+#include "TimeSteps.h"
 
 #include "vtkCellData.h"
 #include "vtkCleanPolyData.h"
@@ -17,6 +19,7 @@
 #include "vtkDataSet.h"
 #include "vtkGeometryFilter.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
@@ -195,40 +198,26 @@ Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
       surfaces.Meshes.push_back(mesh);
     }
   }
-  if (surfaces.Points == 0)
-  {
-    throw CommandError(
-      BadInput, path + ": the mesh is empty; choose a file that contains cells or points");
-  }
-  if (surfaces.Meshes.empty())
-  {
-    throw CommandError(BadInput,
-      path +
-        (surfaces.DroppedPoints > 0
-            ? ": no cell has only finite coordinates; export the mesh again"
-            : ": the mesh is empty; choose a file that contains cells or points"));
-  }
   return surfaces;
 }
 
+// Returns the files to read, those of one step if the file is a series.
+std::vector<std::string> FindFiles(const std::string& path, std::optional<double> time)
+{
+  if (!IsFileSeries(path))
+  {
+    return { path };
+  }
+  const std::vector<double> times = ReadTimes(path);
+  return ReadFileSeries(path)[time ? FindStep(times, *time) : 0].Files;
 }
 
-std::string DescribeRounding(const Surfaces& surfaces)
+Surfaces ReadOneFile(const std::string& path, const InputOptions& options)
 {
-  std::ostringstream text;
-  text
-    << "coordinates of single precision are rounded to multiples of " << surfaces.RoundingStep
-    << "; subtract an offset from them before they are stored, or store them in double precision";
-  return text.str();
-}
-
-Surfaces ReadSurfaces(const std::string& path)
-{
-  RecordInput(path);
   const ReadLimit limit(path);
   try
   {
-    return ExtractSurfaces(ReadFile(path), path);
+    return ExtractSurfaces(ReadFile(path, options.Time), path);
   }
   catch (const CommandError&)
   {
@@ -249,6 +238,42 @@ Surfaces ReadSurfaces(const std::string& path)
   {
     throw CommandError(BadInput, path + ": the file is damaged: " + error.what());
   }
+}
+
+}
+
+std::string DescribeRounding(const Surfaces& surfaces)
+{
+  std::ostringstream text;
+  text
+    << "coordinates of single precision are rounded to multiples of " << surfaces.RoundingStep
+    << "; subtract an offset from them before they are stored, or store them in double precision";
+  return text.str();
+}
+
+Surfaces ReadSurfaces(const std::string& path, const InputOptions& options)
+{
+  RecordInput(path);
+  Surfaces surfaces;
+  for (const std::string& file : FindFiles(path, options.Time))
+  {
+    const Surfaces part = ReadOneFile(file, options);
+    surfaces.Meshes.insert(surfaces.Meshes.end(), part.Meshes.begin(), part.Meshes.end());
+    surfaces.Points += part.Points;
+    surfaces.DroppedPoints += part.DroppedPoints;
+    surfaces.RoundingStep = std::max(surfaces.RoundingStep, part.RoundingStep);
+  }
+  if (surfaces.Meshes.empty() && surfaces.DroppedPoints > 0)
+  {
+    throw CommandError(
+      BadInput, path + ": no cell has only finite coordinates; export the mesh again");
+  }
+  if (surfaces.Meshes.empty() && !options.AllowEmpty)
+  {
+    throw CommandError(
+      BadInput, path + ": the mesh is empty; choose a file that contains cells or points");
+  }
+  return surfaces;
 }
 
 }

@@ -8,6 +8,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,9 +32,16 @@ struct Surfaces
 /// Returns the warning of a RoundingStep that is not 0.
 std::string DescribeRounding(const Surfaces& surfaces);
 
-/// Reads the surfaces of a file. Throws CommandError, naming the file, if it cannot be read,
-/// contains no cells or points, or is inconsistent.
-Surfaces ReadSurfaces(const std::string& path);
+/// What to read from a file.
+struct InputOptions
+{
+  std::optional<double> Time; ///< unset: the first time step
+  bool AllowEmpty = false;    ///< a file without cells and points has no surfaces
+};
+
+/// Reads the surfaces of a file or of one step of a file series. Throws CommandError, naming the
+/// file, if it cannot be read, contains no cells or points, or is inconsistent.
+Surfaces ReadSurfaces(const std::string& path, const InputOptions& options = {});
 
 }
 #endif

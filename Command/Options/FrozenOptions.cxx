@@ -37,6 +37,8 @@ void FreezeCamera(vtkCamera* camera, CameraOptions& options)
   options.Elevation = 0.0;
 }
 
+}
+
 void FreezeColoring(vtkRenderer* renderer, ColoringOptions& options)
 {
   vtkCollectionSimpleIterator cookie;
@@ -52,8 +54,6 @@ void FreezeColoring(vtkRenderer* renderer, ColoringOptions& options)
       return;
     }
   }
-}
-
 }
 
 void FreezeOptions(vtkRenderer* renderer, double diagonal, RenderOptions& options)
@@ -76,6 +76,58 @@ void FreezeOptions(vtkRenderer* renderer, double diagonal, RenderOptions& option
   {
     shafts.BaseHeight = FindLowestHeight(renderer, shafts.Up.value_or(Vector3{ 0, 1, 0 }));
   }
+}
+
+JsonObject DescribeFrozen(const RenderOptions& options)
+{
+  const auto list = [](const Vector3& vector) {
+    return std::vector<double>(vector.begin(), vector.end());
+  };
+  const CameraOptions& camera = options.Camera;
+  JsonObject values;
+  values["camera-position"] = list(*camera.Position);
+  values["camera-focal-point"] = list(*camera.FocalPoint);
+  values["camera-view-up"] = list(*camera.ViewUp);
+  values["camera-parallel-scale"] = camera.ParallelScale;
+  values["coloring-array"] = options.Coloring.Array;
+  values["coloring-range"] = options.Coloring.Range;
+  values["shafts-scattering"] = options.Shafts.Scattering;
+  // JSON has neither infinity nor NaN; only options on the command line set them.
+  if (std::isfinite(options.AmbientOcclusionRadius))
+  {
+    values["ambient-occlusion-radius"] = options.AmbientOcclusionRadius;
+  }
+  if (std::isfinite(options.Shafts.BaseHeight))
+  {
+    values["shafts-base-height"] = options.Shafts.BaseHeight;
+  }
+  return values;
+}
+
+void ApplyFrozen(const JsonObject& values, RenderOptions& options)
+{
+  const auto list = [&values](
+                      const char* name) { return std::get<std::vector<double>>(values.at(name)); };
+  const auto vector = [&list](const char* name) {
+    const std::vector<double> numbers = list(name);
+    return Vector3{ numbers.at(0), numbers.at(1), numbers.at(2) };
+  };
+  const auto number = [&values](const char* name, double otherwise) {
+    return values.count(name) > 0 ? std::get<double>(values.at(name)) : otherwise;
+  };
+  CameraOptions& camera = options.Camera;
+  camera.Position = vector("camera-position");
+  camera.FocalPoint = vector("camera-focal-point");
+  camera.ViewUp = vector("camera-view-up");
+  camera.ParallelScale = std::get<double>(values.at("camera-parallel-scale"));
+  camera.Azimuth = 0.0;
+  camera.Elevation = 0.0;
+  options.Coloring.Array = std::get<std::string>(values.at("coloring-array"));
+  options.Coloring.Range = list("coloring-range");
+  options.Shafts.Scattering = list("shafts-scattering");
+  options.AmbientOcclusionRadius =
+    number("ambient-occlusion-radius", options.AmbientOcclusionRadius);
+  options.Shafts.BaseHeight = number("shafts-base-height", options.Shafts.BaseHeight);
 }
 
 }

@@ -67,6 +67,7 @@ void CheckRenderOptions(const CommandLine& app, const RenderOptions& options)
   RequireEngine(app, options);
   RequireColoring(app, options);
   CheckShaftOptions(app, options.Shafts);
+  CheckTimeOptions(app);
   if (!options.Background && !SupportsAlpha(options.Output))
   {
     throw CommandError(BadInput,

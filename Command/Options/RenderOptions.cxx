@@ -187,6 +187,12 @@ void DeclareColoring(const CommandLine& app, ColoringOptions& coloring)
     "Component of the array; -1: magnitude, -2: the values are colors", -2, 1000000)
     .Group(group);
   const auto storeRange = [&coloring](const std::string& text) {
+    coloring.RangeOfAllSteps = text == "all";
+    coloring.Range.clear();
+    if (coloring.RangeOfAllSteps)
+    {
+      return;
+    }
     coloring.Range = ParseNumbers("--coloring-range", text, 2, 2, {});
     if (coloring.Range[0] > coloring.Range[1])
     {
@@ -195,8 +201,9 @@ void DeclareColoring(const CommandLine& app, ColoringOptions& coloring)
   };
   app
     .AddParsed("--coloring-range", storeRange,
-      "Values mapped to the first and the last color; default: the data range")
-    .TypeName("A,B")
+      "Values mapped to the first and the last color; all: the data range over all time steps; "
+      "default: the data range")
+    .TypeName("A,B|all")
     .TakeLast()
     .Group(group);
   app.AddFlag("--coloring-by-cells", coloring.ByCells, "Use a cell array instead of a point array")
@@ -207,6 +214,17 @@ void DeclareColoring(const CommandLine& app, ColoringOptions& coloring)
     .TypeName("NAME")
     .Group(group);
   app.AddFlag("-b,--coloring-scalar-bar", coloring.ScalarBar, "Draw the scalar bar").Group(group);
+}
+
+void DeclareText(const CommandLine& app, RenderOptions& options)
+{
+  app
+    .AddText("--text", options.Text,
+      "Text in the upper left corner; {time} is replaced by the time of the image")
+    .TypeName("STRING")
+    .TakeLast()
+    .Group("Time");
+  app.AddFlag("--time-label", options.TimeLabel, "Show the time of the image").Group("Time");
 }
 
 void DeclareLight(const CommandLine& app, LightOptions& light)
@@ -283,6 +301,8 @@ void DeclareRenderOptions(const CommandLine& app, RenderOptions& options)
   DeclareCamera(app, options.Camera);
   DeclareAppearance(app, options);
   DeclareColoring(app, options.Coloring);
+  DeclareTimeOptions(app, options.Time);
+  DeclareText(app, options);
   DeclareEffects(app, options);
   DeclareLight(app, options.Light);
   DeclareShaftOptions(app, options.Shafts);

@@ -8,6 +8,7 @@
 #include "Parsing/Arguments.h"
 #include "ShaftOptions.h"
 #include "SharedOptions.h"
+#include "TimeOptions.h"
 
 #include <array>
 #include <limits>
@@ -35,9 +36,10 @@ struct CameraOptions
 struct ColoringOptions
 {
   bool Enabled = false;
-  std::string Array;  ///< empty: the file's scalars, else its first array
-  int Component = -1; ///< -1: the magnitude, -2: the values are colors
-  std::vector<double> Range;
+  std::string Array;            ///< empty: the file's scalars, else its first array
+  int Component = -1;           ///< -1: the magnitude, -2: the values are colors
+  std::vector<double> Range;    ///< empty: the data range
+  bool RangeOfAllSteps = false; ///< of the data range: over all time steps
   bool ByCells = false;
   std::string Colormap = "viridis";
   bool HasColormap = false; ///< --colormap is on the command line
@@ -104,6 +106,12 @@ struct RenderOptions
   std::string Cache = "world"; ///< of occlusion and indirect light
   LightOptions Light;
   ShaftOptions Shafts;
+
+  TimeOptions Time;
+  std::optional<double> ShownTime; ///< of the image; unset: the first step
+  std::string TimeText;            ///< of ShownTime
+  std::string Text;                ///< in the upper left corner; {time} is replaced
+  bool TimeLabel = false;
 
   std::string Statistics;
   std::string Progress = "auto";

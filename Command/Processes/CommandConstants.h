@@ -29,6 +29,24 @@ constexpr int MultiSamples = 8;
 /// it.
 constexpr int FramesPerGroup = 8;
 
+/// Images per second of an animation inside of a file, which has no time steps of its own.
+constexpr unsigned int AnimationFrameRate = 30;
+
+/// Number of frames of an orbit and of moving parts.
+constexpr int DefaultFrames = 60;
+
+/// Largest number of frames of an animation.
+constexpr int MaximumFrames = 1000000;
+
+// --- Text ---
+
+/// Significant digits of times in file names, in messages and on images, if they are distinct.
+constexpr int TimeDigits = 6;
+
+/// Font size of labels and their distance from the corner of the image, in points of 1/72 inch.
+constexpr int LabelPoints = 18;
+constexpr double LabelMargin = 9.0;
+
 // --- Cameras ---
 
 /// Smallest distance from the camera to its focal point as a fraction of the scene's radius:

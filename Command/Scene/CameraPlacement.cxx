@@ -114,6 +114,10 @@ vtkBoundingBox ComputeBounds(vtkRenderer* renderer, const RenderOptions& options
       all.AddBox(bounds);
     }
   }
+  if (!all.IsValid())
+  {
+    all.AddPoint(0.0, 0.0, 0.0); // An empty time step.
+  }
   return all;
 }
 

@@ -4,6 +4,7 @@
 
 #include "Coloring.h"
 #include "Files/ImageFiles.h"
+#include "Labels.h"
 #include "Options/RenderOptions.h"
 
 #include "vtkActor.h"
@@ -138,13 +139,14 @@ vtkSmartPointer<vtkRenderer> BuildScene(const std::vector<vtkSmartPointer<vtkPol
     renderer->AddActor(actor);
   }
   const Vector3 background = options.BackgroundColor.value_or(Vector3{ 0, 0, 0 });
-  if (options.Coloring.Enabled)
+  const bool darkText = NeedsDarkText(options, background);
+  if (options.Coloring.Enabled && !mappers.empty())
   {
     // Viewers of SVG have other fonts, and PDF files without the characters are refused.
     const bool warnsOfFonts = !IsVectorGraphic(options.Output);
-    ColorByData(
-      renderer, mappers, options.Coloring, NeedsDarkText(options, background), warnsOfFonts);
+    ColorByData(renderer, mappers, options.Coloring, darkText, warnsOfFonts);
   }
+  AddLabels(renderer, options, darkText);
   AddLights(renderer, options);
   renderer->SetBackground(background[0], background[1], background[2]);
   renderer->SetBackgroundAlpha(options.Background ? 1.0 : 0.0);

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What one image of a time series reads.
+#ifndef penumbra_StepInput_h
+#define penumbra_StepInput_h
+
+#include "Input/TimeSteps.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace penumbra
+{
+
+struct RenderOptions;
+
+struct StepInput
+{
+  std::vector<std::string> Files;
+  std::optional<double> Time; ///< unset: the first step, or files without steps
+};
+
+/// Reads the times of each group of files, in worker processes. Returns the largest exit status.
+int ReadTimelines(
+  const std::vector<std::vector<std::string>>& groups, int jobs, std::vector<Timeline>& timelines);
+
+/// Sets the array and the range of --coloring-range all from all steps, in worker processes. Steps
+/// that cannot be read or lack the array are left out. Returns the largest exit status.
+int SetRangeOfAllSteps(const std::vector<StepInput>& steps, RenderOptions& options);
+
+}
+#endif
