@@ -80,9 +80,9 @@ std::string DescribeEmptyImage(
 }
 
 InputOptions GetInputOptions(
-  const RenderOptions&, std::optional<double> time, bool allowEmpty)
+  const RenderOptions& options, std::optional<double> time, bool allowEmpty)
 {
-  return { time, allowEmpty };
+  return { time, allowEmpty, { options.Cuts, options.Coloring.Array, options.Coloring.ByCells } };
 }
 
 std::vector<vtkSmartPointer<vtkPolyData>> ReadMeshes(const std::vector<std::string>& files,

@@ -102,10 +102,11 @@ void DeclareMovements(const CommandLine& app, FilmOptions& options)
 }
 
 // Returns all options as text, except paths and the options that do not affect an image.
-std::string Describe(const CommandLine& app)
+std::string Describe(const CommandLine& app, const std::vector<Cut>& cuts)
 {
   const std::vector<std::string> others = { "output", "resume", "jobs", "threads", "progress",
-    "read-limit", "statistics", "FILE", "frames", "frame-list", "prepare", "defaults" };
+    "read-limit", "statistics", "FILE", "frames", "frame-list", "prepare", "defaults", "slice",
+    "clip", "contour", "threshold" };
   std::istringstream lines(app.Describe());
   std::string description;
   for (std::string line; std::getline(lines, line);)
@@ -116,7 +117,7 @@ std::string Describe(const CommandLine& app)
       description += line + '\n';
     }
   }
-  return description;
+  return description + DescribeCuts(cuts);
 }
 
 void CheckPaths(const FilmOptions& options)
@@ -218,7 +219,7 @@ void CheckFilmOptions(const CommandLine& app, FilmOptions& options)
   {
     throw CommandError(BadInput, "--prepare cannot be combined with --defaults; give one");
   }
-  options.Description = Describe(app);
+  options.Description = Describe(app, render.Cuts);
 }
 
 }

@@ -77,8 +77,11 @@ vtkSmartPointer<vtkPolyData> MakeMesh(vtkDataSet* data)
   }
   vtkNew<vtkGeometryFilter> geometry;
   geometry->SetInputData(data);
-  geometry->PassThroughCellIdsOn();
-  geometry->SetOriginalCellIdsName(OriginalCellIds);
+  if (!data->GetCellData()->HasArray(OriginalCellIds))
+  {
+    geometry->PassThroughCellIdsOn();
+    geometry->SetOriginalCellIdsName(OriginalCellIds);
+  }
   geometry->Update();
   auto* image = vtkImageData::SafeDownCast(data);
   if (image && image->GetDirectionMatrix()->Determinant() < 0.0)
@@ -173,9 +176,27 @@ double FindRoundingStep(vtkPolyData* mesh)
   return extent > 0.0 && step > VisibleFraction * extent ? step : 0.0;
 }
 
-Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
+// Returns the data set with an array of its cell ids.
+vtkSmartPointer<vtkDataSet> AddCellIds(vtkDataSet* data)
+{
+  const auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
+  copy->ShallowCopy(data);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName(OriginalCellIds);
+  ids->SetNumberOfValues(data->GetNumberOfCells());
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    ids->SetValue(cell, cell);
+  }
+  copy->GetCellData()->AddArray(ids);
+  return copy;
+}
+
+Surfaces ExtractSurfaces(vtkDataObject* data, const CutList& cuts, const std::string& path)
 {
   Surfaces surfaces;
+  std::string missing;
+  bool wasCut = false;
   for (vtkDataSet* dataSet : FindDataSets(data))
   {
     const std::string inconsistency = FindInconsistency(dataSet);
@@ -183,7 +204,16 @@ Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
     {
       throw CommandError(BadInput, path + ": the file is damaged: " + inconsistency);
     }
-    vtkSmartPointer<vtkPolyData> mesh = MakeMesh(dataSet);
+    vtkSmartPointer<vtkDataSet> rest = dataSet;
+    if (!cuts.Cuts.empty())
+    {
+      const bool isCloud = dataSet->GetNumberOfCells() == 0;
+      std::string missingHere;
+      rest = ApplyCuts(AddCellIds(isCloud ? MakeMesh(dataSet) : dataSet), cuts, missingHere);
+      missing = missingHere.empty() ? missing : missingHere;
+      wasCut = wasCut || missingHere.empty();
+    }
+    vtkSmartPointer<vtkPolyData> mesh = MakeMesh(rest);
     vtkIdType dropped = 0;
     const std::vector<bool> finite = FindFinitePoints(mesh->GetPoints(), dropped);
     surfaces.Points += mesh->GetNumberOfPoints();
@@ -197,6 +227,12 @@ Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
       surfaces.RoundingStep = std::max(surfaces.RoundingStep, FindRoundingStep(mesh));
       surfaces.Meshes.push_back(mesh);
     }
+  }
+  if (!missing.empty() && !wasCut)
+  {
+    throw CommandError(BadInput,
+      path + ": --contour or --threshold: the file does not have " +
+        (missing == "any" ? "an array" : "the array '" + missing + "'"));
   }
   return surfaces;
 }
@@ -217,7 +253,7 @@ Surfaces ReadOneFile(const std::string& path, const InputOptions& options)
   const ReadLimit limit(path);
   try
   {
-    return ExtractSurfaces(ReadFile(path, options.Time), path);
+    return ExtractSurfaces(ReadFile(path, options.Time), options.Cuts, path);
   }
   catch (const CommandError&)
   {
@@ -270,8 +306,11 @@ Surfaces ReadSurfaces(const std::string& path, const InputOptions& options)
   }
   if (surfaces.Meshes.empty() && !options.AllowEmpty)
   {
-    throw CommandError(
-      BadInput, path + ": the mesh is empty; choose a file that contains cells or points");
+    throw CommandError(BadInput,
+      path +
+        (options.Cuts.Cuts.empty()
+            ? ": the mesh is empty; choose a file that contains cells or points"
+            : ": --slice, --clip, --contour or --threshold leaves nothing; choose other values"));
   }
   return surfaces;
 }

@@ -5,6 +5,8 @@
 #ifndef penumbra_Surfaces_h
 #define penumbra_Surfaces_h
 
+#include "Cuts.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -37,6 +39,7 @@ struct InputOptions
 {
   std::optional<double> Time; ///< unset: the first time step
   bool AllowEmpty = false;    ///< a file without cells and points has no surfaces
+  CutList Cuts;
 };
 
 /// Reads the surfaces of a file or of one step of a file series. Throws CommandError, naming the

@@ -301,6 +301,7 @@ void DeclareRenderOptions(const CommandLine& app, RenderOptions& options)
   DeclareCamera(app, options.Camera);
   DeclareAppearance(app, options);
   DeclareColoring(app, options.Coloring);
+  DeclareCutOptions(app, options.Cuts);
   DeclareTimeOptions(app, options.Time);
   DeclareText(app, options);
   DeclareEffects(app, options);

@@ -5,6 +5,7 @@
 #ifndef penumbra_RenderOptions_h
 #define penumbra_RenderOptions_h
 
+#include "CutOptions.h"
 #include "Parsing/Arguments.h"
 #include "ShaftOptions.h"
 #include "SharedOptions.h"
@@ -106,6 +107,8 @@ struct RenderOptions
   std::string Cache = "world"; ///< of occlusion and indirect light
   LightOptions Light;
   ShaftOptions Shafts;
+
+  std::vector<Cut> Cuts; ///< in order
 
   TimeOptions Time;
   std::optional<double> ShownTime; ///< of the image; unset: the first step

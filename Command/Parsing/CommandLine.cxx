@@ -118,6 +118,14 @@ Option CommandLine::AddRepeatable(const std::string& name,
       ->allow_extra_args(false));
 }
 
+Option CommandLine::AddOrdered(const std::string& name,
+  const std::function<void(const std::string& text)>& store, const std::string& description) const
+{
+  return Option(this->Implementation->add_option_function<std::string>(name, store, description)
+                  ->trigger_on_parse()
+                  ->take_last());
+}
+
 Option CommandLine::AddFlag(
   const std::string& name, bool& target, const std::string& description) const
 {

@@ -90,6 +90,12 @@ public:
     const std::function<void(const std::vector<std::string>& texts)>& store,
     const std::string& description) const;
 
+  /// Adds an option that may be repeated; `store` gets each value while the command line is parsed, so
+  /// that several options keep their order.
+  Option AddOrdered(const std::string& name,
+    const std::function<void(const std::string& text)>& store,
+    const std::string& description) const;
+
   ///@{
   /// Adds a flag that sets `target` to true, or to false.
   Option AddFlag(const std::string& name, bool& target, const std::string& description) const;
