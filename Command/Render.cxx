@@ -5,6 +5,7 @@
 #include "Engines/Engine.h"
 #include "Engines/RenderOutput.h"
 #include "Files/Report.h"
+#include "Files/StandardStreams.h"
 #include "Film/StepInput.h"
 #include "Options/Placeholders.h"
 #include "Options/RenderOptions.h"
@@ -257,10 +258,22 @@ Action DeclareRender(const CommandLine& program)
   DeclareRenderOptions(app, *options);
   return [options, app, start]() {
     options->Coloring.Enabled = options->Coloring.Enabled || !options->Coloring.Array.empty();
+    StreamFolder streams;
+    if (options->Output == StandardStream)
+    {
+      options->Output = streams.PrepareOutput();
+    }
     CheckRenderOptions(app, *options);
+    if (std::count(options->Files.begin(), options->Files.end(), StandardStream) > 0)
+    {
+      const std::string input = streams.ReadInput();
+      std::replace(
+        options->Files.begin(), options->Files.end(), std::string(StandardStream), input);
+    }
     const int status = Render(*options, start);
     if (status == Done)
     {
+      streams.WriteOutput();
       std::vector<std::string> warnings = FindIgnoredOptions(app, *options);
       // `animate` gives these options another meaning, so FindIgnoredOptions() does not check them.
       if (app.Count("--frames") > 0 && options->Engine == "ray")
