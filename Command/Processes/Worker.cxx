@@ -361,6 +361,10 @@ int RunGuarded(const std::function<int()>& body)
 int RunWorkers(int count, int jobs, const std::function<int(int)>& task,
   const std::function<void(int finishedTasks)>& finished)
 {
+  if (count == 0)
+  {
+    return Done; // An empty pool has no memory to map.
+  }
   WorkerPool pool(count);
   int started = 0;
   int done = 0;
