@@ -4,6 +4,8 @@
 
 #include "Processes/CommandError.h"
 
+#include "vtkVersion.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -13,6 +15,13 @@ namespace penumbra
 
 namespace
 {
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+constexpr const char* NoTimeSteps = " has no time steps";
+#else
+// Of VTK HDF files, this VTK reads the first step only.
+constexpr const char* NoTimeSteps = " has no time steps that VTK " VTK_VERSION " reads";
+#endif
 
 // Splits "A:B[:S]"; A and B may be empty.
 TimeRange ParseRange(const std::string& text)
@@ -135,7 +144,7 @@ std::vector<double> SelectTimes(
       std::string(options.Time ? "--time"
           : options.Step       ? "--time-step"
                                : "--times") +
-        ": " + input + " has no time steps");
+        ": " + input + NoTimeSteps);
   }
   if (options.Time || options.Step)
   {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeriesFiles.h"
 
+#include "vtkVersion.h"
+
 #include <filesystem>
 
 namespace penumbra_testing
@@ -146,10 +148,15 @@ std::vector<SeriesFile> WriteSeries(const Folder& folder)
   {
     const char* Reader;
     std::string Path;
-  } optional[] = { { "vtkXdmfReader", folder / "steps.xdmf" },
+  } optional[] = {
+    { "vtkXdmfReader", folder / "steps.xdmf" },
     { "vtkExodusIIReader", PENUMBRA_SOURCE_DIR "/Testing/CommandLine/Series/Data/steps.e" },
+#if VTK_VERSION_NUMBER >=                                                                          \
+  VTK_VERSION_CHECK(9, 3, 0) // Before, the reader reads the first step only.
     { "vtkHDFReader", PENUMBRA_SOURCE_DIR "/Testing/CommandLine/Series/Data/steps.vtkhdf" },
-    { "vtkCGNSReader", PENUMBRA_SOURCE_DIR "/Testing/CommandLine/Series/Data/steps.cgns" } };
+#endif
+    { "vtkCGNSReader", PENUMBRA_SOURCE_DIR "/Testing/CommandLine/Series/Data/steps.cgns" }
+  };
   for (const auto& row : optional)
   {
     if (readers.find(row.Reader) != std::string::npos)
