@@ -28,6 +28,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 struct vtkPenumbraRayCaster::Internals
 {
@@ -70,6 +71,7 @@ struct vtkPenumbraRayCaster::Internals
   vtkWeakPointer<vtkRenderer> PreparedRenderer; ///< renderer of Prepared; null: data sets
   vtkMTimeType SettingsTime = 0;                ///< of the ray caster's own settings, for Prepared
   vtkMTimeType GeometryTime = 0;                ///< of the renderer's props, for Prepared
+  std::vector<double> DepthOffsets;             ///< of the mappers of the renderer
   penumbra::PhaseTimes PhaseSeconds{};
   int Extractions = 0;          ///< number of scenes extracted by the last execution
   std::set<std::string> Warned; ///< warnings of the scene that were reported

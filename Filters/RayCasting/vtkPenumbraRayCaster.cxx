@@ -7,6 +7,7 @@
 
 #include "Execution/NaNCheck.h"
 #include "Image/LayerCompositing.h"
+#include "Import/DepthOffsets.h"
 #include "Import/SceneModificationTime.h"
 
 #include "vtkImageData.h"
@@ -214,6 +215,13 @@ vtkMTimeType vtkPenumbraRayCaster::GetMTime()
       }
     }
     this->Implementation->IsComputingMTime = false;
+    std::vector<double> offsets = penumbra::GetDepthOffsetSettings(this->Implementation->Renderer);
+    if (offsets != this->Implementation->DepthOffsets)
+    {
+      this->Implementation->DepthOffsets = std::move(offsets);
+      this->Modified();
+      time = std::max(time, this->Superclass::GetMTime());
+    }
   }
   time = std::max(time, this->Implementation->IrradianceProvider->GetMTime());
   if (this->Implementation->Medium)

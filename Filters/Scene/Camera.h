@@ -34,6 +34,9 @@ struct Camera
   /// Distance from the camera to the ray origins, in scene units. It is positive for scenes far
   /// from the camera. In parallel projection, Position already includes it.
   double Advance = 0.0;
+  /// Smallest difference in depth that VTK's depth buffer is assumed to resolve: in perspective of
+  /// 1 / depth, in parallel projection of the depth, in scene units. See DepthOffset.
+  double DepthUnit = 0.0;
   double Near = 0.0; ///< minimum depth along Forward that is rendered
   double Far = 1e30; ///< maximum depth along Forward that is rendered
 

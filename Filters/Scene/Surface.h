@@ -98,6 +98,8 @@ struct Surface
   bool ForceOpaque = false;
   /// If true, the surface is invisible and hides the surfaces with HasHiddenLines behind it.
   bool HidesLines = false;
+  /// Of coincident surfaces, the one with the smaller rank is in front; see DepthOffset.
+  float DepthRank = 0.f;
   bool HasHiddenLines = false; ///< wireframe of which hidden lines are removed
 
   bool IsTranslucent() const;

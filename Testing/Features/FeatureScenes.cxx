@@ -491,5 +491,6 @@ std::vector<FeatureScene> MakeFeatureScenes()
   AddMaterialScenes(list.Scenes);
   AddRendererScenes(list.Scenes);
   AddOtherProps(list);
+  AddCoincident(list);
   return list.Scenes;
 }

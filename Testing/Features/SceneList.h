@@ -31,4 +31,7 @@ struct SceneList
 /// Adds the scenes of mappers and props other than vtkPolyDataMapper and its actors.
 void AddOtherProps(SceneList& add);
 
+/// Adds the scenes of coincident surfaces, lines and points.
+void AddCoincident(SceneList& add);
+
 #endif

@@ -9,6 +9,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkPenumbraRayCaster.h"
@@ -158,8 +159,16 @@ void Render(const FeatureScene& scene, Images& images)
   Compare(images);
 }
 
+/// The settings of coincident topology that all mappers share are those of VTK before each test.
 class FeatureTable : public testing::TestWithParam<std::size_t>
 {
+protected:
+  void TearDown() override
+  {
+    vtkMapper::SetResolveCoincidentTopologyToOff();
+    vtkMapper::SetResolveCoincidentTopologyPolygonOffsetParameters(0.0, 0.0);
+    vtkMapper::SetResolveCoincidentTopologyZShift(0.01);
+  }
 };
 
 std::string LevelName(FeatureRow::Levels level)

@@ -42,7 +42,7 @@ bool FindCandidate(const RayScene& rays, glm::dvec2 at, RecordCandidate& site)
   Hit hit = rays.Intersect(ray);
   while (hit.IsHit() && scene.Surfaces[hit.Surface].IsLineOrPoint)
   {
-    ray.Near = hit.NextNear;
+    ray = ContinueBehind(ray, hit);
     hit = rays.Intersect(ray);
   }
   if (!hit.IsHit())

@@ -135,7 +135,7 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
   {
     if (!this->Kinds.empty() && !order.IsDrawn(this->Kinds[hit.Surface], hit))
     {
-      continuation.Near = hit.NextNear;
+      continuation = ContinueBehind(continuation, hit);
       hit = this->Rays.Intersect(continuation);
       continue;
     }
@@ -177,8 +177,7 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
       sample.OpaqueDepth = hit.Distance;
       break;
     }
-    // NextNear is the smallest distance that excludes this hit.
-    continuation.Near = hit.NextNear;
+    continuation = ContinueBehind(continuation, hit);
     hit = this->Rays.Intersect(continuation);
   }
   if (this->Shafts && !hit.IsHit())

@@ -167,9 +167,8 @@ TEST_P(Rasterization, OrdersCoincidentSurfacesAsRaysDo)
   Scene scene = MakeView(GetParam());
   scene.Surfaces.resize(3);
   AddSoup(scene.Surfaces[0], 300, 1.5f, 4u);
-  scene.Surfaces[1] = scene.Surfaces[0]; // brighter, thus in front
+  scene.Surfaces[1] = scene.Surfaces[0]; // later, thus in front
   scene.Surfaces[2] = scene.Surfaces[0]; // lines, thus in front of both
-  scene.Surfaces[0].Front.DiffuseColor = glm::vec3(0.5f);
   scene.Surfaces[2].IsLineOrPoint = true;
   scene.Surfaces[2].Triangles.resize(150);
   const Comparison result = CompareWithRays(scene, true);

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace penumbra
@@ -22,6 +23,9 @@ namespace
 
 /// Bound of the growth of rounding errors along rays at grazing incidence.
 constexpr double GrazingFactor = 64.0;
+
+/// Relative distance before the nearest of coincident hits from which a ray finds them again.
+constexpr float CoincidenceSlack = 4e-7f;
 
 AxisAlignedBox ComputeBounds(const Surface& surface)
 {
@@ -61,51 +65,20 @@ bool AreNear(const AxisAlignedBox& a, const AxisAlignedBox& b, float tolerance)
   return true;
 }
 
-/// Returns the key that orders coplanar surfaces by material; the surface with the smaller key is
-/// in front.
-std::array<float, 16> SortKey(const Surface& surface)
+/// Sorts indices of coincident surfaces, the one in front first. As with the depth test of VTK,
+/// later surfaces are drawn over earlier ones, and translucent ones over opaque ones.
+void SortByDrawOrder(const Scene& scene, std::vector<std::uint32_t>& indices)
 {
-  const Material& front = surface.Front;
-  const auto brightness = [](glm::vec3 color) { return color.x + color.y + color.z; };
-  return { surface.IsLineOrPoint ? 0.f : 1.f, surface.IsTranslucent() ? 1.f : 0.f,
-    -brightness(front.Ambient * front.AmbientColor + front.Diffuse * front.DiffuseColor),
-    -front.DiffuseColor.x, -front.DiffuseColor.y, -front.DiffuseColor.z, -front.AmbientColor.x,
-    -front.AmbientColor.y, -front.AmbientColor.z, -front.Specular, -front.SpecularColor.x,
-    -front.SpecularColor.y, -front.SpecularColor.z, -front.SpecularPower, -front.Opacity,
-    front.Lighting ? 1.f : 0.f };
-}
-
-/// Compares mapped colors: negative if `a` is in front, 0 if equal, positive if `b` is in front.
-int CompareColors(const std::vector<glm::u8vec4>& a, const std::vector<glm::u8vec4>& b)
-{
-  if (a.size() != b.size())
+  using Key = std::tuple<bool, float, bool, std::uint32_t>;
+  std::vector<Key> keys;
+  for (const std::uint32_t i : indices)
   {
-    return a.size() < b.size() ? -1 : 1;
+    const Surface& surface = scene.Surfaces[i];
+    keys.emplace_back(!surface.IsLineOrPoint, surface.DepthRank, !surface.IsTranslucent(), ~i);
   }
-  const auto [first, second] = std::mismatch(a.begin(), a.end(), b.begin());
-  for (int i = 0; first != a.end() && i < 4; ++i)
-  {
-    if ((*first)[i] != (*second)[i])
-    {
-      return (*first)[i] > (*second)[i] ? -1 : 1;
-    }
-  }
-  return 0;
-}
-
-bool IsDrawnInFront(const Surface& a, const Surface& b)
-{
-  const auto keyOfA = SortKey(a);
-  const auto keyOfB = SortKey(b);
-  if (keyOfA != keyOfB)
-  {
-    return keyOfA < keyOfB;
-  }
-  const int byPoints = CompareColors(a.PointColors, b.PointColors);
-  const auto cells = [](const Surface& surface) -> const std::vector<glm::u8vec4>& {
-    return surface.Instances ? surface.Instances->Colors : surface.CellColors;
-  };
-  return byPoints != 0 ? byPoints < 0 : CompareColors(cells(a), cells(b)) < 0;
+  std::sort(keys.begin(), keys.end());
+  std::transform(keys.begin(), keys.end(), indices.begin(),
+    [](const Key& key) { return ~std::get<std::uint32_t>(key); });
 }
 
 /// Returns the error of the hit distance that results from the rounded vertices of the triangle.
@@ -186,10 +159,7 @@ CoincidentSurfaces::CoincidentSurfaces(const Scene& scene)
   order.erase(std::remove_if(order.begin(), order.end(),
                 [&](std::uint32_t i) { return !(DepthTolerances[i] > 0.f); }),
     order.end());
-  std::sort(order.begin(), order.end());
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return IsDrawnInFront(scene.Surfaces[a], scene.Surfaces[b]);
-  });
+  SortByDrawOrder(scene, order);
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     this->DrawOrder[order[i]] = static_cast<int>(i);
@@ -201,6 +171,19 @@ Hit CoincidentSurfaces::Resolve(const Ray& ray, const Hit& last, CandidateHits& 
   if (this->DepthTolerances[last.Surface] <= 0.f)
   {
     candidates.Add({ last.Surface, last.Primitive, last.U, last.V, last.Distance }, 0.f);
+  }
+  if (ray.FirstInOrder > 0)
+  {
+    const auto isSkipped = [&](const CandidateHit& hit) {
+      return hit.Distance <= ray.CoincidentFar && this->DrawOrder[hit.Surface] < ray.FirstInOrder;
+    };
+    candidates.Count = static_cast<int>(
+      std::remove_if(candidates.Hits, candidates.Hits + candidates.Count, isSkipped) -
+      candidates.Hits);
+  }
+  if (candidates.Count == 0)
+  {
+    return {};
   }
   double distances[CandidateHits::Capacity];
   double roundings[CandidateHits::Capacity];
@@ -226,7 +209,9 @@ Hit CoincidentSurfaces::Resolve(const Ray& ray, const Hit& last, CandidateHits& 
     nearest = distances[i] < distances[nearest] ? i : nearest;
   }
   int best = nearest;
-  float farthest = candidates.Hits[nearest].Distance;
+  float begin = candidates.Hits[nearest].Distance;
+  float farthest = begin;
+  bool isShared = false;
   for (int i = 0; candidates.Count > 1 && i < candidates.Count; ++i)
   {
     if (distances[i] - distances[nearest] > roundings[i] + roundings[nearest])
@@ -234,8 +219,10 @@ Hit CoincidentSurfaces::Resolve(const Ray& ray, const Hit& last, CandidateHits& 
       continue;
     }
     const CandidateHit& hit = candidates.Hits[i];
-    farthest = std::max({ farthest, hit.Distance, static_cast<float>(distances[i]) });
     const CandidateHit& front = candidates.Hits[best];
+    begin = std::min(begin, hit.Distance);
+    farthest = std::max({ farthest, hit.Distance, static_cast<float>(distances[i]) });
+    isShared = isShared || hit.Surface != front.Surface;
     if (std::make_pair(this->DrawOrder[hit.Surface], hit.Primitive) <
       std::make_pair(this->DrawOrder[front.Surface], front.Primitive))
     {
@@ -243,7 +230,17 @@ Hit CoincidentSurfaces::Resolve(const Ray& ray, const Hit& last, CandidateHits& 
     }
   }
   const CandidateHit& visible = candidates.Hits[best];
-  return { visible.Surface, visible.Primitive, visible.U, visible.V, visible.Distance, farthest };
+  if (ray.FirstInOrder > 0 && begin <= ray.CoincidentFar)
+  {
+    farthest = std::max(farthest, ray.CoincidentFar); // of those that were skipped
+  }
+  Hit hit{ visible.Surface, visible.Primitive, visible.U, visible.V, visible.Distance, farthest };
+  if (isShared)
+  {
+    hit.CoincidentNear = std::max(ray.Near, begin - CoincidenceSlack * std::abs(begin));
+    hit.NextInOrder = this->DrawOrder[visible.Surface] + 1;
+  }
+  return hit;
 }
 
 }

@@ -3,9 +3,9 @@
 //
 // Resolution of coincident surfaces: selects the visible hit if several surfaces are closer to each
 // other along a ray than single precision can resolve. Distances are compared in double precision.
-// Coplanar surfaces are ordered by their materials, so that the image depends neither on the order
-// of the actors nor on rounding: lines and points are in front, then opaque surfaces, then brighter
-// ones.
+// Coplanar surfaces are ordered as VTK draws them, so that the image does not depend on rounding:
+// lines and points are in front, then surfaces whose mappers shift them toward the camera, then
+// translucent surfaces, then those that are drawn later.
 #ifndef penumbra_CoincidentSurfaces_h
 #define penumbra_CoincidentSurfaces_h
 
@@ -60,7 +60,8 @@ public:
   bool IsEmpty() const { return this->Empty; }
 
   /// Returns the visible hit of the candidates; `last` is the hit that Embree returned.
-  /// Hit::NextNear of the result is the distance of the farthest coincident hit.
+  /// Hit::NextNear of the result is the distance of the farthest coincident hit. Returns a miss if
+  /// the ray skips all candidates.
   Hit Resolve(const Ray& ray, const Hit& last, CandidateHits& candidates) const;
 
 private:

@@ -255,6 +255,10 @@ Hit MakeHit(const RayScene& rays, RTCScene tree, const Ray& ray, const Hit& embr
   if (candidates && candidates->Count > 0)
   {
     resolved = rays.GetCoincidentSurfaces().Resolve(ray, embreeHit, *candidates);
+    if (!resolved.IsHit())
+    {
+      return resolved;
+    }
   }
   Hit hit = resolved;
   const Scene& scene = rays.GetScene();
@@ -456,10 +460,20 @@ void RayScene::Release()
 
 Hit RayScene::Intersect(const Ray& ray) const
 {
-  if (!IsTraceable(ray))
+  Ray rest = ray;
+  Hit hit;
+  while (IsTraceable(rest) && !this->IntersectOnce(rest, hit))
   {
-    return {};
+    // All surfaces up to CoincidentFar are to be skipped.
+    rest.Near = MakeNextNear(rest.CoincidentFar, rest.Near);
+    rest.FirstInOrder = 0;
   }
+  return hit;
+}
+
+bool RayScene::IntersectOnce(const Ray& ray, Hit& hit) const
+{
+  hit = Hit();
   RTCRayHit query;
   Fill(query.ray, ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -468,7 +482,6 @@ Hit RayScene::Intersect(const Ray& ray) const
   candidates.Far = ray.Far;
   CandidateHits* const collected = this->Coincident->IsEmpty() ? nullptr : &candidates;
   Query(false, collected).Intersect(this->EmbreeScene, query);
-  Hit hit;
   if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID)
   {
     hit.Surface = query.hit.geomID;
@@ -477,8 +490,9 @@ Hit RayScene::Intersect(const Ray& ray) const
     hit.V = query.hit.v;
     hit.Distance = query.ray.tfar;
     hit = MakeHit(*this, this->EmbreeScene, ray, hit, collected);
+    return hit.IsHit();
   }
-  return hit;
+  return true;
 }
 
 void RayScene::Intersect16(const Ray* rays, Hit* hits) const
@@ -569,11 +583,19 @@ glm::dvec3 RayScene::GetSmoothNormal(const Hit& hit, glm::dvec3 geometric) const
     : std::copysign(1.0 / length, cosine) * sum;
 }
 
+Ray ContinueBehind(Ray ray, const Hit& hit)
+{
+  ray.FirstInOrder = hit.NextInOrder;
+  ray.CoincidentFar = hit.NextNear;
+  ray.Near = hit.NextInOrder > 0 ? hit.CoincidentNear : hit.NextNear;
+  return ray;
+}
+
 Hit SkipLinesAndPoints(const RayScene& rays, Ray ray, Hit hit)
 {
   while (hit.IsHit() && rays.GetScene().Surfaces[hit.Surface].IsLineOrPoint)
   {
-    ray.Near = hit.NextNear;
+    ray = ContinueBehind(ray, hit);
     hit = rays.Intersect(ray);
   }
   return hit;

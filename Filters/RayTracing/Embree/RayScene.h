@@ -38,6 +38,10 @@ struct Ray
   glm::vec3 Direction{ 0.f, 0.f, -1.f };
   float Near = 0.f;
   float Far = std::numeric_limits<float>::infinity();
+  /// Up to this distance, surfaces before FirstInOrder in the order of coincident surfaces are
+  /// skipped, see ContinueBehind().
+  float CoincidentFar = 0.f;
+  int FirstInOrder = 0;
 };
 
 /// First hit of a ray, the same on every processor, unlike the hits that Embree returns. U, V and
@@ -54,11 +58,17 @@ struct Hit
   float Distance = std::numeric_limits<float>::infinity(); ///< in units of |Ray::Direction|
   float NextNear =
     std::numeric_limits<float>::infinity(); ///< value of Ray::Near that continues behind this hit
+  float CoincidentNear = 0.f; ///< distance of the nearest coincident hit, if NextInOrder is not 0
+  int NextInOrder = 0; ///< place of the next coincident surface in their order; 0: there is none
 
   bool IsHit() const { return this->Surface != None; }
 };
 
 class RayScene;
+
+/// Returns `ray` from the hit on, so that its next hit is on the next surface that VTK draws behind
+/// this one: a coincident surface, or one behind all of them.
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT Ray ContinueBehind(Ray ray, const Hit& hit);
 
 /// Returns the first hit of `ray` on a surface with area, skipping lines and points, which do not
 /// occlude. `hit` is the first hit of `ray`.
@@ -126,6 +136,8 @@ public:
   void RenewId();
 
 private:
+  /// Returns false if all hits of the ray that were found are to be skipped.
+  bool IntersectOnce(const Ray& ray, Hit& hit) const;
   void BuildShape(TracedSurface& traced, const ProgressCallback& progress);
   void Release();
 

@@ -149,7 +149,7 @@ glm::vec3 Illumination::IncidentRadiance(
         return sum;
       }
     }
-    ray.Near = hit.NextNear;
+    ray = ContinueBehind(ray, hit);
     hit = this->Rays.Intersect(ray);
     ++rays;
   }
@@ -253,7 +253,7 @@ glm::vec3 Illumination::EmitterContribution(
     {
       break;
     }
-    ray.Near = hit.NextNear;
+    ray = ContinueBehind(ray, hit);
     hit = this->Rays.Intersect(ray);
     ++rays;
   }

@@ -438,7 +438,8 @@ float Shading::TraceTransmittance(Ray ray, long long& shadowRays) const
       return transmittance;
     }
     transmittance *= this->SurfaceTransmittance(hit, ray);
-    ray.Near = hit.NextNear + offset;
+    ray = ContinueBehind(ray, hit);
+    ray.Near += hit.NextInOrder > 0 ? 0.f : offset;
   }
   return transmittance > OpaqueTransmittance ? transmittance : 0.f;
 }

@@ -36,7 +36,7 @@ float TraceTranslucentOcclusion(const RayScene& rays, Ray ray, Hit hit,
     {
       break;
     }
-    ray.Near = hit.NextNear;
+    ray = ContinueBehind(ray, hit);
     hit = SkipLinesAndPoints(rays, ray, rays.Intersect(ray));
     ++count;
   }

@@ -217,55 +217,6 @@ TEST(RayScene, ResolvesDistantSurfacesCloseToEachOther)
   }
 }
 
-TEST(RayScene, OrdersCoplanarSurfacesByMaterial)
-{
-  // Two surfaces in one slanted plane, with two and 800 triangles.
-  const auto slanted = [](Surface surface) {
-    for (glm::vec3& p : surface.Positions)
-    {
-      const glm::dvec3 q(p);
-      p = glm::vec3(q.x, q.y, -2.3 + .37 * q.x - .21 * q.y);
-    }
-    return surface;
-  };
-  Surface white = slanted(Square(0.f));
-  Surface black = slanted(Sheet(21));
-  black.Front.DiffuseColor = glm::vec3(0.f);
-  Surface pane = white;
-  pane.Front.Opacity = .5f;
-  for (const bool reversed : { false, true })
-  {
-    Scene scene;
-    scene.Surfaces = { white, black, pane };
-    if (reversed)
-    {
-      std::swap(scene.Surfaces[0], scene.Surfaces[2]);
-    }
-    const RayScene rays(scene, 1);
-    for (int packet = 0; packet < 60; ++packet)
-    {
-      Ray queried[16];
-      Hit hits[16];
-      for (int i = 0; i < 16; ++i)
-      {
-        const float angle = 2.39996f * static_cast<float>(16 * packet + i);
-        const float radius = .01f * std::sqrt(static_cast<float>(16 * packet + i));
-        queried[i] = { glm::vec3(0.f),
-          { radius * std::cos(angle), radius * std::sin(angle), -1.f } };
-      }
-      rays.Intersect16(queried, hits);
-      for (int i = 0; i < 16; ++i)
-      {
-        EXPECT_EQ(hits[i].Surface, reversed ? 2u : 0u);
-        EXPECT_EQ(rays.Intersect(queried[i]).Surface, hits[i].Surface);
-        Ray behind = queried[i];
-        behind.Near = hits[i].NextNear;
-        EXPECT_FALSE(rays.Intersect(behind).IsHit());
-      }
-    }
-  }
-}
-
 TEST(RayTriangle, ComputesDistanceToEdges)
 {
   const Surface square = Square(-5.f);

@@ -63,6 +63,10 @@ const std::vector<FeatureRow>& GetFeatureTable()
     { Feature::BackfaceProperty, Drawn, "vtkActor: BackfaceProperty", "", "" },
     { Feature::Culling, Drawn, "vtkProperty: BackfaceCulling, FrontfaceCulling", "", "" },
     { Feature::ClippingPlanes, Drawn, "vtkMapper: ClippingPlanes", "", "" },
+    { Feature::CoincidentTopology, Drawn,
+      "vtkMapper: ResolveCoincidentTopology, offsets of polygons, lines and points; actors in one "
+      "plane",
+      "Without offsets, lines and points are in front of surfaces that contain them.", "" },
     { Feature::Assemblies, Drawn, "vtkAssembly, vtkFollower, user transforms", "", "" },
     { Feature::Glyphs, Drawn, "vtkGlyph3DMapper", "", "" },
     { Feature::Blocks, Drawn,

@@ -32,6 +32,7 @@ enum class Feature
   BackfaceProperty,
   Culling,
   ClippingPlanes,
+  CoincidentTopology,
   Assemblies,
   Glyphs,
   Blocks,

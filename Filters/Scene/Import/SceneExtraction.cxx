@@ -3,6 +3,7 @@
 #include "SceneExtraction.h"
 
 #include "Annotation/SceneExtractionOverlay.h"
+#include "DepthOffsets.h"
 #include "Features/SceneFeatures.h"
 #include "Scene.h"
 #include "SceneExtractionActors.h"
@@ -13,6 +14,7 @@
 #include "SceneExtractionView.h"
 #include "Surface.h"
 #include "Tessellation/MemoryEstimate.h"
+#include "Tessellation/SurfaceSlopes.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
@@ -139,10 +141,10 @@ bool DependsOnCamera(const DrawItem& item)
   vtkProperty* property = item.Property;
   const bool hasPoints = item.Data->GetVerts()->GetNumberOfCells() > 0;
   const bool hasLines = item.Data->GetLines()->GetNumberOfCells() > 0;
-  return item.FacingSplats || property->GetRepresentation() != VTK_SURFACE ||
-    property->GetEdgeVisibility() || property->GetVertexVisibility() ||
-    property->GetRenderPointsAsSpheres() || property->GetRenderLinesAsTubes() ||
-    (hasPoints && !item.Radii && !(item.PointRadius > 0.0)) ||
+  return item.FacingSplats || !item.PolygonOffset.IsZero() ||
+    property->GetRepresentation() != VTK_SURFACE || property->GetEdgeVisibility() ||
+    property->GetVertexVisibility() || property->GetRenderPointsAsSpheres() ||
+    property->GetRenderLinesAsTubes() || (hasPoints && !item.Radii && !(item.PointRadius > 0.0)) ||
     (hasLines && !(item.LineRadius > 0.0));
 }
 
@@ -172,6 +174,24 @@ void ExtractView(vtkRenderer* renderer, const double bounds[6], const Extraction
   ExtractBackground(renderer, options, scene);
 }
 
+/// Finds the slopes of surfaces if the offset of a line or point depends on them.
+void FindSlopes(const Scene& scene, std::vector<DrawItem>& items)
+{
+  const bool isUsed = std::any_of(items.begin(), items.end(), [](const DrawItem& item) {
+    const bool hasLinesOrPoints = item.Property->GetRepresentation() != VTK_SURFACE ||
+      item.Data->GetLines()->GetNumberOfCells() + item.Data->GetVerts()->GetNumberOfCells() > 0;
+    return hasLinesOrPoints && (item.LineOffset.Factor != 0.0 || item.PointOffset.Factor != 0.0);
+  });
+  if (isUsed)
+  {
+    const auto slopes = std::make_shared<SurfaceSlopes>(items, scene);
+    for (DrawItem& item : items)
+    {
+      item.Slopes = slopes;
+    }
+  }
+}
+
 void AddDrawItems(
   const std::vector<DrawItem>& items, const ExtractionOptions& options, Scene& scene)
 {
@@ -189,6 +209,7 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
   Scene scene;
   std::vector<DrawItem> items = CollectDrawItems(renderer, scene.Warnings, options.Progress);
   SetRadii(options, items);
+  MakeDepthOffsetsRelative(items);
   RequireMemoryForItems(items);
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
@@ -214,11 +235,13 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
   viewOptions.KeepOrigin = options.KeepOrigin && distortion == glm::dmat4(1.0) && range.empty() &&
     !HasPropsOfView(renderer) && std::none_of(items.begin(), items.end(), DependsOnCamera);
   ExtractView(renderer, bounds, viewOptions, distortion, scene);
+  scene.ViewCamera.DepthUnit = ComputeDepthUnit(renderer, bounds, scene);
   std::copy_n(bounds, 6, scene.OriginBounds.begin());
   for (DrawItem& item : items)
   {
     item.ClippingPlanes.insert(item.ClippingPlanes.end(), range.begin(), range.end());
   }
+  FindSlopes(scene, items);
   AddDrawItems(items, options, scene);
   if (!range.empty() && !items.empty() && scene.Surfaces.empty())
   {

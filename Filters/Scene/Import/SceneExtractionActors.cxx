@@ -3,6 +3,7 @@
 #include "SceneExtractionActors.h"
 
 #include "Annotation/SceneExtractionOverlay.h"
+#include "DepthOffsets.h"
 #include "Features/SceneFeatures.h"
 #include "Features/UnsupportedFeatures.h"
 #include "SceneExtractionAxes.h"
@@ -226,6 +227,7 @@ private:
         MakeMaterialTextures(actor->GetProperty(), prototype.Name, this->Warnings);
     }
     prototype.ForceOpaque = actor->GetForceOpaque();
+    ReadDepthOffsets(actor, prototype);
     prototype.RemoveHiddenLines =
       this->RemoveHiddenLines && actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME;
     prototype.ClippingPlanes = ToPlanes(mapper->GetClippingPlanes());

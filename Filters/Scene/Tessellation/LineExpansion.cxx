@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LineExpansion.h"
 
+#include <algorithm>
+
 namespace penumbra
 {
 namespace
 {
-
-/// Returns the side length of a pixel at the depth of x, in scene units.
-double ComputePixelSize(const Camera& camera, glm::dvec3 x)
-{
-  return camera.Parallel ? camera.PixelSize : camera.PixelSize * camera.Depth(x);
-}
 
 /// Moves x toward the camera by `pixels` times the pixel size at x. Its image coordinates do not
 /// change.
@@ -22,13 +18,23 @@ glm::dvec3 OffsetTowardEye(const Camera& camera, glm::dvec3 x, double pixels)
     return x - pixels * camera.PixelSize * camera.Forward;
   }
   // Move x at most half the distance to the camera, so that wide lines stay in front of the camera.
-  const double fraction = glm::min(pixels * camera.PixelSize, 0.5);
+  const double fraction = glm::clamp(pixels * camera.PixelSize, -1.0, 0.5);
   return x - fraction * (x - camera.Position);
 }
 
+/// Returns the number of pixels by which a line or point of the given slope moves toward the camera.
+double ChooseShift(const Camera& camera, glm::dvec3 x, const QuadShift& shift, double slope)
+{
+  const double offset = shift.Offset.IsZero()
+    ? 0.0
+    : ComputeShift(camera, x, shift.Offset, std::max(slope, shift.Slope));
+  return offset < 0.0 ? offset : std::max(shift.Pixels, offset);
 }
 
-bool ExpandLine(const Camera& camera, glm::dvec3 a, glm::dvec3 b, double width, Quad& quad)
+}
+
+bool ExpandLine(const Camera& camera, glm::dvec3 a, glm::dvec3 b, double width,
+  const QuadShift& shift, Quad& quad)
 {
   const double fromDepth = camera.Depth(a) - camera.Near;
   const double toDepth = camera.Depth(b) - camera.Near;
@@ -49,14 +55,18 @@ bool ExpandLine(const Camera& camera, glm::dvec3 a, glm::dvec3 b, double width, 
   const glm::dvec3 normal = (-delta.y / length) * camera.Right + (delta.x / length) * camera.Up;
   const glm::dvec3 startOffset = 0.5 * width * ComputePixelSize(camera, start) * normal;
   const glm::dvec3 endOffset = 0.5 * width * ComputePixelSize(camera, end) * normal;
-  quad.Corners[0] = OffsetTowardEye(camera, start - startOffset, width);
-  quad.Corners[1] = OffsetTowardEye(camera, end - endOffset, width);
-  quad.Corners[2] = OffsetTowardEye(camera, end + endOffset, width);
-  quad.Corners[3] = OffsetTowardEye(camera, start + startOffset, width);
+  const double slope = shift.Offset.IsZero() ? 0.0 : ComputeSlope(camera, start, end);
+  const double startShift = ChooseShift(camera, start, shift, slope);
+  const double endShift = ChooseShift(camera, end, shift, slope);
+  quad.Corners[0] = OffsetTowardEye(camera, start - startOffset, startShift);
+  quad.Corners[1] = OffsetTowardEye(camera, end - endOffset, endShift);
+  quad.Corners[2] = OffsetTowardEye(camera, end + endOffset, endShift);
+  quad.Corners[3] = OffsetTowardEye(camera, start + startOffset, startShift);
   return true;
 }
 
-bool ExpandPoint(const Camera& camera, glm::dvec3 x, double size, double offset, Quad& quad)
+bool ExpandPoint(
+  const Camera& camera, glm::dvec3 x, double size, const QuadShift& shift, Quad& quad)
 {
   if (camera.Depth(x) <= camera.Near)
   {
@@ -65,10 +75,11 @@ bool ExpandPoint(const Camera& camera, glm::dvec3 x, double size, double offset,
   const double half = 0.5 * size * ComputePixelSize(camera, x);
   const glm::dvec3 right = half * camera.Right;
   const glm::dvec3 up = half * camera.Up;
-  quad.Corners[0] = OffsetTowardEye(camera, x - right - up, offset);
-  quad.Corners[1] = OffsetTowardEye(camera, x + right - up, offset);
-  quad.Corners[2] = OffsetTowardEye(camera, x + right + up, offset);
-  quad.Corners[3] = OffsetTowardEye(camera, x - right + up, offset);
+  const double pixels = ChooseShift(camera, x, shift, 0.0);
+  quad.Corners[0] = OffsetTowardEye(camera, x - right - up, pixels);
+  quad.Corners[1] = OffsetTowardEye(camera, x + right - up, pixels);
+  quad.Corners[2] = OffsetTowardEye(camera, x + right + up, pixels);
+  quad.Corners[3] = OffsetTowardEye(camera, x - right + up, pixels);
   return true;
 }
 

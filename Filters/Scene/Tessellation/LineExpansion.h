@@ -5,7 +5,7 @@
 #ifndef penumbra_LineExpansion_h
 #define penumbra_LineExpansion_h
 
-#include "Camera.h"
+#include "DepthOffset.h"
 #include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
 
 namespace penumbra
@@ -21,16 +21,23 @@ struct Quad
   double End = 1.0;
 };
 
-/// Expands the segment from a to b to a quad that is `width` pixels wide along its whole length.
-/// The quad is offset toward the camera by the line width, so that surfaces do not hide lines that
-/// lie on them. Returns false if the segment is behind the camera or projects to a point.
-VTKPENUMBRAFILTERSSCENE_EXPORT bool ExpandLine(
-  const Camera& camera, glm::dvec3 a, glm::dvec3 b, double width, Quad& quad);
+/// Shift of quads toward the camera, so that surfaces do not hide lines and points that lie on them.
+struct QuadShift
+{
+  double Pixels = 0.0; ///< default, usually the line width
+  DepthOffset Offset;  ///< replaces Pixels if it moves quads farther, or away from the camera
+  double Slope = 0.0;  ///< minimum slope that Offset multiplies: that of a surface
+};
 
-/// Expands the point x to an axis-aligned square of `size` pixels, moved by `offset` pixels toward
-/// the camera as lines are. Returns false if the point is behind the camera.
+/// Expands the segment from a to b to a quad that is `width` pixels wide along its whole length.
+/// Returns false if the segment is behind the camera or projects to a point.
+VTKPENUMBRAFILTERSSCENE_EXPORT bool ExpandLine(const Camera& camera, glm::dvec3 a, glm::dvec3 b,
+  double width, const QuadShift& shift, Quad& quad);
+
+/// Expands the point x to an axis-aligned square of `size` pixels. Returns false if the point is
+/// behind the camera.
 VTKPENUMBRAFILTERSSCENE_EXPORT bool ExpandPoint(
-  const Camera& camera, glm::dvec3 x, double size, double offset, Quad& quad);
+  const Camera& camera, glm::dvec3 x, double size, const QuadShift& shift, Quad& quad);
 
 }
 #endif

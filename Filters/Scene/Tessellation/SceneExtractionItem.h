@@ -6,6 +6,7 @@
 #ifndef penumbra_SceneExtractionItem_h
 #define penumbra_SceneExtractionItem_h
 
+#include "DepthOffset.h"
 #include "Execution/ParallelFor.h"
 #include "Material.h"
 
@@ -27,6 +28,7 @@ namespace penumbra
 {
 
 struct Scene;
+class SurfaceSlopes;
 
 /// Result of mapping scalars to colors.
 struct Coloring
@@ -84,8 +86,13 @@ struct DrawItem
   /// units. 0: as the property requests.
   double PointRadius = 0.0;
   double LineRadius = 0.0;
-  bool HasFlatTubes = false;      ///< lines that are drawn as tubes are cylinders with flat ends
-  bool ForceOpaque = false;       ///< see Surface
+  bool HasFlatTubes = false; ///< lines that are drawn as tubes are cylinders with flat ends
+  /// Offsets of the primitives, relative to those of most surfaces.
+  DepthOffset PolygonOffset;
+  DepthOffset LineOffset;
+  DepthOffset PointOffset;
+  std::shared_ptr<const SurfaceSlopes> Slopes; ///< those that offsets multiply; may be null
+  bool ForceOpaque = false;                    ///< see Surface
   bool RemoveHiddenLines = false; ///< its polygons hide the lines of this and other items
   /// Radius of each point of Data in world units. Replaces PointRadius and LineRadius; null: none.
   vtkSmartPointer<vtkDataArray> Radii;

@@ -8,6 +8,7 @@
 #include "SceneExtractionSegments.h"
 #include "SceneExtractionSurfaces.h"
 #include "Surface.h"
+#include "SurfaceSlopes.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -116,9 +117,10 @@ public:
     double Width = 1.0;
     bool Lit = false;
     const Material* Single = nullptr;
-    bool IsRound = false;       ///< spheres and tubes instead of squares and strips
-    double Radius = 0.0;        ///< of spheres and tubes, in world units; 0: half of Width
-    double MinimumOffset = 0.0; ///< of squares toward the camera; else Width
+    bool IsRound = false;      ///< spheres and tubes instead of squares and strips
+    double Radius = 0.0;       ///< of spheres and tubes, in world units; 0: half of Width
+    double MinimumShift = 0.0; ///< of squares toward the camera; else Width
+    DepthOffset Offset{};      ///< of squares and strips, see DrawItem
   };
 
   void Add(const std::vector<LineSegment>& segments, const LineStyle& style)
@@ -130,6 +132,7 @@ public:
     }
     this->Begin(style);
     this->Result.IsLineOrPoint = true;
+    this->Result.DepthRank = static_cast<float>(style.Offset.GetRank());
     this->Result.Front.Lighting = style.Lit && this->Result.Front.Lighting;
     for (const LineSegment& segment : segments)
     {
@@ -309,9 +312,21 @@ private:
     const glm::dvec3 direction = b - a;
     b = a + end * direction;
     a = a + start * direction;
-    const double offset = std::max(style.Width, style.MinimumOffset) * this->PixelsPerPoint;
-    if (isPoint ? ExpandPoint(this->Target.ViewCamera, a, width, offset, quad)
-                : ExpandLine(this->Target.ViewCamera, a, b, width, quad))
+    const Camera& camera = this->Target.ViewCamera;
+    QuadShift shift{ std::max(style.Width, style.MinimumShift) * this->PixelsPerPoint, style.Offset,
+      0.0 };
+    if (this->Item.Slopes && style.Offset.Factor != 0.0)
+    {
+      shift.Slope = std::max(this->Item.Slopes->Find(a), this->Item.Slopes->Find(b));
+    }
+    if (style.Single && !this->Item.PolygonOffset.IsZero())
+    {
+      // Edges and vertices move with their polygons, of which the steepest determines the distance.
+      shift.Pixels +=
+        std::max(0.0, ComputeShift(camera, a, this->Item.PolygonOffset, MaximumPolygonSlope));
+    }
+    if (isPoint ? ExpandPoint(camera, a, width, shift, quad)
+                : ExpandLine(camera, a, b, width, shift, quad))
     {
       this->AddQuad(segment, style, quad, start + quad.Start * (end - start),
         start + quad.End * (end - start), direction);
@@ -437,14 +452,16 @@ void AddLinesAndPoints(const DrawItem& item, double pixelsPerPoint, Scene& scene
   const bool roundEdges = property->GetRenderLinesAsTubes();
   const bool roundVertices = property->GetRenderPointsAsSpheres();
   expander.Add(CollectPoints(item, representation == VTK_POINTS),
-    { pointSize, smooth, nullptr, spheres, item.PointRadius });
+    { pointSize, smooth, nullptr, spheres, item.PointRadius, 0.0, item.PointOffset });
   if (representation != VTK_POINTS)
   {
-    expander.Add(CollectLines(data), { lineWidth, smooth, nullptr, tubes, item.LineRadius });
+    expander.Add(CollectLines(data),
+      { lineWidth, smooth, nullptr, tubes, item.LineRadius, 0.0, item.LineOffset });
   }
   if (representation == VTK_WIREFRAME)
   {
-    expander.Add(CollectEdges(item), { lineWidth, true, nullptr, tubes, item.LineRadius });
+    expander.Add(CollectEdges(item),
+      { lineWidth, true, nullptr, tubes, item.LineRadius, 0.0, item.LineOffset });
   }
   if (edges)
   {

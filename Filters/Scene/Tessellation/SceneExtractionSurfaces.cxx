@@ -453,6 +453,11 @@ void AddSurface(const DrawItem& item, Scene& scene)
   SetColors(item, cells, surface);
   SetCellIds(item, cells, surface);
   ClipSurface(item.ClippingPlanes, scene, surface);
+  if (!item.PolygonOffset.IsZero())
+  {
+    OffsetSurface(scene.ViewCamera, item.PolygonOffset, surface);
+    surface.DepthRank = static_cast<float>(item.PolygonOffset.GetRank());
+  }
   if (!surface.Triangles.empty())
   {
     scene.Surfaces.push_back(std::move(surface));

@@ -49,7 +49,7 @@ TEST(LineExpansion, MakesLinesOfExactWidth)
     const glm::dvec3 a(-0.2, 0.1, -1.0);
     const glm::dvec3 b(0.3, 0.25, -4.0);
     Quad quad;
-    ASSERT_TRUE(ExpandLine(camera, a, b, 2.5, quad));
+    ASSERT_TRUE(ExpandLine(camera, a, b, 2.5, { 2.5, {} }, quad));
     const glm::dvec2 delta = camera.Project(b) - camera.Project(a);
     EXPECT_NEAR(ComputeArea(camera, quad), 2.5 * glm::length(delta), 1e-9);
     const glm::dvec2 across = camera.Project(quad.Corners[3]) - camera.Project(quad.Corners[0]);
@@ -66,7 +66,7 @@ TEST(LineExpansion, MakesPlanarQuadsInFrontOfTheLine)
   const glm::dvec3 a(-0.2, 0.1, -1.0);
   const glm::dvec3 b(0.3, 0.25, -4.0);
   Quad quad;
-  ASSERT_TRUE(ExpandLine(camera, a, b, 3.0, quad));
+  ASSERT_TRUE(ExpandLine(camera, a, b, 3.0, { 3.0, {} }, quad));
   const glm::dvec3 u = quad.Corners[1] - quad.Corners[0];
   const glm::dvec3 v = quad.Corners[2] - quad.Corners[0];
   const glm::dvec3 w = quad.Corners[3] - quad.Corners[0];
@@ -80,11 +80,11 @@ TEST(LineExpansion, ClipsLinesBehindTheCamera)
 {
   const Camera camera = MakePerspectiveCamera();
   Quad quad;
-  EXPECT_FALSE(ExpandLine(camera, { 0.0, 0.0, 1.0 }, { 1.0, 0.0, 0.5 }, 1.0, quad));
-  ASSERT_TRUE(ExpandLine(camera, { 0.1, 0.0, 1.0 }, { 0.1, 0.2, -1.0 }, 1.0, quad));
+  EXPECT_FALSE(ExpandLine(camera, { 0.0, 0.0, 1.0 }, { 1.0, 0.0, 0.5 }, 1.0, { 1.0, {} }, quad));
+  ASSERT_TRUE(ExpandLine(camera, { 0.1, 0.0, 1.0 }, { 0.1, 0.2, -1.0 }, 1.0, { 1.0, {} }, quad));
   EXPECT_NEAR(quad.Start, 0.5, 1e-5);
   EXPECT_EQ(quad.End, 1.0);
-  ASSERT_TRUE(ExpandLine(camera, { 0.1, 0.2, -1.0 }, { 0.1, 0.0, 3.0 }, 1.0, quad));
+  ASSERT_TRUE(ExpandLine(camera, { 0.1, 0.2, -1.0 }, { 0.1, 0.0, 3.0 }, 1.0, { 1.0, {} }, quad));
   EXPECT_EQ(quad.Start, 0.0);
   EXPECT_NEAR(quad.End, 0.25, 1e-5);
 }
@@ -92,7 +92,8 @@ TEST(LineExpansion, ClipsLinesBehindTheCamera)
 TEST(LineExpansion, RejectsLinesParallelToTheViewDirection)
 {
   Quad quad;
-  EXPECT_FALSE(ExpandLine(MakeParallelCamera(), { 0.1, 0.2, -1.0 }, { 0.1, 0.2, -3.0 }, 1.0, quad));
+  EXPECT_FALSE(ExpandLine(
+    MakeParallelCamera(), { 0.1, 0.2, -1.0 }, { 0.1, 0.2, -3.0 }, 1.0, { 1.0, {} }, quad));
 }
 
 TEST(LineExpansion, MakesSquaresOfThePointSize)
@@ -100,11 +101,11 @@ TEST(LineExpansion, MakesSquaresOfThePointSize)
   for (const Camera& camera : { MakePerspectiveCamera(), MakeParallelCamera() })
   {
     Quad quad;
-    ASSERT_TRUE(ExpandPoint(camera, { 0.1, 0.2, -3.0 }, 4.0, 4.0, quad));
+    ASSERT_TRUE(ExpandPoint(camera, { 0.1, 0.2, -3.0 }, 4.0, { 4.0, {} }, quad));
     EXPECT_NEAR(ComputeArea(camera, quad), 16.0, 1e-9);
     const glm::dvec2 center =
       0.5 * (camera.Project(quad.Corners[0]) + camera.Project(quad.Corners[2]));
     EXPECT_NEAR(glm::length(center - camera.Project({ 0.1, 0.2, -3.0 })), 0.0, 1e-9);
-    EXPECT_FALSE(ExpandPoint(camera, { 0.1, 0.2, 3.0 }, 4.0, 4.0, quad));
+    EXPECT_FALSE(ExpandPoint(camera, { 0.1, 0.2, 3.0 }, 4.0, { 4.0, {} }, quad));
   }
 }

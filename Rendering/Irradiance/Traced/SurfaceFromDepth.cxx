@@ -128,7 +128,7 @@ private:
   {
     while (hit.IsHit() && this->IsTranslucent[hit.Surface])
     {
-      ray.Near = hit.NextNear;
+      ray = ContinueBehind(ray, hit);
       hit = this->Rays.Intersect(ray);
     }
   }

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Reads the settings of vtkMapper for coincident topology.
+#ifndef penumbra_DepthOffsets_h
+#define penumbra_DepthOffsets_h
+
+#include "Tessellation/SceneExtractionItem.h"
+#include "vtkPenumbraFiltersSceneModule.h" // for export macro
+
+#include <vector>
+
+class vtkActor;
+class vtkRenderer;
+
+namespace penumbra
+{
+
+/// Sets the offsets of `item` to those with which VTK draws the mapper of `actor`.
+void ReadDepthOffsets(vtkActor* actor, DrawItem& item);
+
+/// Makes all offsets relative to the farthest offset of polygons. Surfaces whose polygons have the
+/// same offset keep their place.
+void MakeDepthOffsetsRelative(std::vector<DrawItem>& items);
+
+/// Returns the value of Camera::DepthUnit for a scene within `bounds`.
+double ComputeDepthUnit(vtkRenderer* renderer, const double bounds[6], const Scene& scene);
+
+/// Returns the offsets of the visible actors; empty if all are 0. Changing them does not change the
+/// modification times of the mappers.
+VTKPENUMBRAFILTERSSCENE_EXPORT std::vector<double> GetDepthOffsetSettings(vtkRenderer* renderer);
+
+}
+#endif
