@@ -177,6 +177,7 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, std::vector<std::
     mesh = append->GetOutput();
   }
   mesh->GetCellData()->RemoveArray(OriginalCellIds);
+  mesh->GetCellData()->RemoveArray(CurvedFaces);
   return mesh;
 }
 

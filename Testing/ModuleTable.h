@@ -155,7 +155,7 @@ inline const std::vector<Row> Table = {
   { "Command/Formats", { "Command/Processes", "Command/Files" }, {} },
   { "Command/Input",
     { "Command/Processes", "Command/Parsing", "Command/Files", "Command/Formats",
-      "Command/Truncation", "Filters/RayTracing" },
+      "Command/Truncation", "Filters/Scene", "Filters/Scene/Import", "Filters/RayTracing" },
     {} },
   { "Command/Options",
     { "Filters/Conventions", "Command/Processes", "Command/Parsing", "Command/Files",

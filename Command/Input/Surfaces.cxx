@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces.h"
 
+#include "CurvedFaceIds.h"
 #include "DataSetValidation.h"
 #include "FileSeries.h"
 #include "Files/InputFiles.h"
+#include "Import/CurvedCells.h"
 #include "Processes/CommandError.h"
 #include "Processes/Worker.h"
 #include "ReadLimit.h"
@@ -75,9 +77,14 @@ vtkSmartPointer<vtkPolyData> MakeMesh(vtkDataSet* data)
     vertices->Update();
     return vertices->GetOutput();
   }
+  const bool hasIds = data->GetCellData()->HasArray(OriginalCellIds); // of the cells before cuts
+  if (auto curved = ExtractCurvedSurface(data, hasIds ? nullptr : OriginalCellIds))
+  {
+    return curved;
+  }
   vtkNew<vtkGeometryFilter> geometry;
   geometry->SetInputData(data);
-  if (!data->GetCellData()->HasArray(OriginalCellIds))
+  if (!hasIds)
   {
     geometry->PassThroughCellIdsOn();
     geometry->SetOriginalCellIdsName(OriginalCellIds);
@@ -277,6 +284,8 @@ Surfaces ReadOneFile(const std::string& path, const InputOptions& options)
 }
 
 }
+
+const char* const CurvedFaces = CurvedFaceIds;
 
 std::string DescribeRounding(const Surfaces& surfaces)
 {

@@ -22,6 +22,9 @@ namespace penumbra
 /// Name of the cell array with the cell ids in the file, if they differ from those of the surface.
 constexpr const char* OriginalCellIds = "PenumbraOriginalCellIds";
 
+/// Name of the cell array with the faces of curved cells, which are subdivided.
+extern const char* const CurvedFaces;
+
 struct Surfaces
 {
   std::vector<vtkSmartPointer<vtkPolyData>> Meshes;

@@ -40,7 +40,8 @@ vtkDataSetAttributes* Attributes(vtkPolyDataMapper* mapper, bool cells)
 bool IsColorable(vtkDataSetAttributes* attributes, vtkDataArray* array)
 {
   return array && array->GetName() && array != attributes->GetNormals() &&
-    array != attributes->GetTCoords() && std::string(array->GetName()) != OriginalCellIds;
+    array != attributes->GetTCoords() && std::string(array->GetName()) != OriginalCellIds &&
+    std::string(array->GetName()) != CurvedFaces;
 }
 
 std::vector<std::string> ArrayNames(const Mappers& mappers, bool cells)

@@ -4,10 +4,12 @@
 
 #include "Coloring.h"
 #include "Files/ImageFiles.h"
+#include "Input/Surfaces.h"
 #include "Labels.h"
 #include "Options/RenderOptions.h"
 
 #include "vtkActor.h"
+#include "vtkCellData.h"
 #include "vtkCleanPolyData.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
@@ -16,6 +18,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
+#include "vtkRecoverGeometryWireframe.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -53,6 +56,31 @@ vtkSmartPointer<vtkPolyData> ComputeNormals(vtkPolyData* mesh, double featureAng
   normals->SplittingOn();
   normals->Update();
   return normals->GetOutput();
+}
+
+/// Sets the array that holds the faces of curved cells. Before VTK 9.3, its name is fixed.
+template <typename Filter>
+auto SetFaces(Filter* filter, int) -> decltype(filter->SetCellIdsAttribute(CurvedFaces))
+{
+  filter->SetCellIdsAttribute(CurvedFaces);
+}
+template <typename Filter>
+void SetFaces(Filter*, long)
+{
+}
+
+// Marks the edges between the parts of curved cells, which the rasterizer would draw, as hidden.
+vtkSmartPointer<vtkPolyData> HideInnerEdges(vtkPolyData* mesh)
+{
+  if (!mesh->GetCellData()->HasArray(CurvedFaces))
+  {
+    return mesh;
+  }
+  vtkNew<vtkRecoverGeometryWireframe> edges;
+  edges->SetInputData(mesh);
+  SetFaces(edges.Get(), 0);
+  edges->Update();
+  return edges->GetOutput();
 }
 
 void SetAppearance(vtkProperty* property, const RenderOptions& options, double unitsPerPoint)
@@ -123,14 +151,13 @@ vtkSmartPointer<vtkRenderer> BuildScene(const std::vector<vtkSmartPointer<vtkPol
   for (const vtkSmartPointer<vtkPolyData>& mesh : meshes)
   {
     vtkNew<vtkPolyDataMapper> mapper;
-    if (std::isnan(options.FeatureAngle))
+    vtkSmartPointer<vtkPolyData> drawn =
+      std::isnan(options.FeatureAngle) ? mesh : ComputeNormals(mesh, options.FeatureAngle);
+    if (options.ShowEdges || options.Representation == "wireframe")
     {
-      mapper->SetInputData(mesh);
+      drawn = HideInnerEdges(drawn);
     }
-    else
-    {
-      mapper->SetInputData(ComputeNormals(mesh, options.FeatureAngle));
-    }
+    mapper->SetInputData(drawn);
     mapper->ScalarVisibilityOff();
     mappers.push_back(mapper);
     vtkNew<vtkActor> actor;

@@ -3,6 +3,7 @@
 #include "SceneExtractionActors.h"
 
 #include "Annotation/SceneExtractionOverlay.h"
+#include "CurvedCells.h"
 #include "DepthOffsets.h"
 #include "Features/SceneFeatures.h"
 #include "Features/UnsupportedFeatures.h"
@@ -293,7 +294,11 @@ private:
   void AddDataSet(vtkDataSet* data, const DrawItem& prototype, ScalarMapper* scalars)
   {
     DrawItem item = prototype;
-    item.Data = ExtractSurface(data, this->Progress);
+    item.Data = ExtractCurvedSurface(data, "vtkOriginalCellIds", this->Progress);
+    if (!item.Data)
+    {
+      item.Data = ExtractSurface(data, this->Progress);
+    }
     if (this->Prop)
     {
       item.Data = TransformTextureCoordinates(item.Data, this->Prop);

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionSegments.h"
 
+#include "CurvedFaceIds.h"
+
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -49,6 +52,45 @@ void RemoveDuplicates(std::vector<LineSegment>& segments)
     return std::minmax(a.From, a.To) == std::minmax(b.From, b.To);
   };
   segments.erase(std::unique(segments.begin(), segments.end(), same), segments.end());
+}
+
+/// Removes the segments between two polygons that are parts of one face, see CurvedFaceIds.
+void RemoveInnerEdges(vtkDataArray* faces, std::vector<LineSegment>& segments)
+{
+  struct Side
+  {
+    std::uint32_t Low;
+    std::uint32_t High;
+    double Face;
+    std::size_t Segment;
+  };
+  std::vector<Side> sides;
+  sides.reserve(segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    const auto [low, high] = std::minmax(segments[i].From, segments[i].To);
+    sides.push_back({ low, high, faces->GetComponent(segments[i].Cell, 0), i });
+  }
+  const auto key = [](const Side& side) { return std::tie(side.Low, side.High, side.Face); };
+  std::sort(
+    sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return key(a) < key(b); });
+  std::vector<bool> isInner(segments.size(), false);
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+  {
+    if (key(sides[i]) == key(sides[i + 1]))
+    {
+      isInner[sides[i].Segment] = isInner[sides[i + 1].Segment] = true;
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    if (!isInner[i])
+    {
+      segments[kept++] = segments[i];
+    }
+  }
+  segments.resize(kept);
 }
 
 }
@@ -118,6 +160,11 @@ std::vector<LineSegment> CollectEdges(const DrawItem& item)
         }
       }
     });
+  vtkDataArray* faces = data->GetCellData()->GetArray(CurvedFaceIds);
+  if (faces && faces->GetNumberOfTuples() == data->GetNumberOfCells())
+  {
+    RemoveInnerEdges(faces, segments);
+  }
   first += data->GetPolys()->GetNumberOfCells();
   ForEachCell(
     data->GetStrips(), first, [&](const vtkIdType* ids, vtkIdType size, std::uint32_t cell) {

@@ -6,6 +6,7 @@
 #define penumbra_SceneExtractionSegments_h
 
 #include "SceneExtractionItem.h"
+#include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
 
 #include <cstdint>
 #include <vector>
@@ -30,7 +31,7 @@ std::vector<LineSegment> CollectLines(vtkPolyData* data);
 
 /// Returns the edges of polygons and strips, without duplicates unless colors are per cell. Edges
 /// hidden by edge flags are skipped.
-std::vector<LineSegment> CollectEdges(const DrawItem& item);
+VTKPENUMBRAFILTERSSCENE_EXPORT std::vector<LineSegment> CollectEdges(const DrawItem& item);
 
 /// Returns 0, 1, 2, ... for the cells of the item.
 std::vector<std::uint32_t> MakeCellIndices(const DrawItem& item);
