@@ -26,11 +26,12 @@ PixelCounts& PixelCounts::operator+=(const PixelCounts& other)
 
 PixelIntegrator::PixelIntegrator(const CameraRayTracer& tracer, const CornerGrid& corners,
   const std::vector<ProjectedEdge>& edges, const std::vector<char>& dense,
-  const IntegrationSettings& settings)
+  const std::vector<char>& unsteady, const IntegrationSettings& settings)
   : Tracer(tracer),
     Grid(corners),
     Edges(edges),
     Dense(dense),
+    Unsteady(unsteady),
     Settings(settings),
     Noise(settings.Noise)
 {
@@ -78,6 +79,7 @@ void PixelIntegrator::LoadCorners(int x, int y)
   this->PairsTested = 0;
   this->HasIntersections = false;
   this->IsTubeIntersected = false;
+  this->HitsUnsteadyTriangle = false;
 }
 
 bool PixelIntegrator::CornersAgree() const
@@ -117,6 +119,11 @@ PixelResult PixelIntegrator::Integrate(
   if (count > MaximumEdges || this->MayRasterize(count))
   {
     return this->IntegrateSampled();
+  }
+  if (std::any_of(this->Corners, this->Corners + 4,
+        [this](const Sample& corner) { return this->IsUnsteady(corner); }))
+  {
+    return this->IntegrateUnsteady();
   }
   this->LoadSegments(edgeIndices, count, true);
   const bool unknown = (this->Settings.Shadows && !this->Segments.empty()) ||

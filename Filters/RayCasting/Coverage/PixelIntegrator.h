@@ -68,10 +68,11 @@ class PixelIntegrator
 {
 public:
   /// `dense` has a flag per surface: its subpixel triangles have no edges in `edges` except
-  /// silhouettes and boundaries. Empty: no surface is dense.
+  /// silhouettes and boundaries. Empty: no surface is dense. `unsteady` has a flag per surface: it
+  /// has triangles with unsteady normals.
   PixelIntegrator(const CameraRayTracer& tracer, const CornerGrid& corners,
     const std::vector<ProjectedEdge>& edges, const std::vector<char>& dense,
-    const IntegrationSettings& settings);
+    const std::vector<char>& unsteady, const IntegrationSettings& settings);
 
   /// Sets the triangles of the tile, with which pixels full of edges are sampled; null: by rays.
   void SetRasterizer(TileRasterizer* rasterizer) { this->Rasterizer = rasterizer; }
@@ -155,6 +156,8 @@ private:
   PixelResult IntegrateSubdivided(bool byObject);
   PixelResult IntegrateUniform(int side);
   bool HitsDenseSurface() const;
+  bool IsUnsteady(const Sample& sample) const;
+  PixelResult IntegrateUnsteady();
   bool IsTextureDiscontinuous() const;
   bool IsTextureDiscontinuousInPlane() const;
   PixelResult IntegrateDense(bool unknown);
@@ -207,6 +210,7 @@ private:
   const CornerGrid& Grid;
   const std::vector<ProjectedEdge>& Edges;
   const std::vector<char>& Dense;
+  const std::vector<char>& Unsteady;
   const IntegrationSettings Settings;
   TileRasterizer* Rasterizer = nullptr;
   SampleCache Cache;
@@ -231,6 +235,7 @@ private:
   std::vector<PrimitiveId> VisibleTriangles; ///< triangles hit by samples
   bool HasIntersections = false;             ///< some of them intersect, or may
   bool IsTubeIntersected = false;            ///< a visible tube may intersect another surface here
+  bool HitsUnsteadyTriangle = false;         ///< the color of a face changes abruptly
   std::size_t PairsTested = 0;               ///< number of triangles whose pairs were intersected
   PixelArrangement Arrangement;
   std::vector<glm::vec4> Colors;      ///< colors of uniform samples

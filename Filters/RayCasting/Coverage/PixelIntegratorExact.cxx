@@ -321,6 +321,7 @@ PixelResult PixelIntegrator::ComputeFaceColor(std::size_t index)
   const Sample sample = this->Trace(face.Point, face.Area);
   this->UpdateMaximumFaceDepth(sample);
   this->AddTriangle(sample);
+  this->HitsUnsteadyTriangle = this->HitsUnsteadyTriangle || this->IsUnsteady(sample);
   result.Color = sample.Color;
   if (inside == 0u && this->IsConstantBehindMedium(sample))
   {
@@ -463,6 +464,11 @@ PixelResult PixelIntegrator::IntegrateExact(const std::uint32_t* edgeIndices, st
         return this->IntegrateSampled();
       }
       const PixelResult face = this->ComputeFaceColor(i);
+      if (this->HitsUnsteadyTriangle)
+      {
+        --pixelCount;
+        return this->IntegrateUnsteady();
+      }
       const float weight = static_cast<float>(area);
       result.Color += weight * face.Color;
       squares += weight * face.Error * weight * face.Error;

@@ -7,6 +7,7 @@
 #include "Scene.h"
 #include "Surface.h"
 
+#include "Edges/UnsteadyNormals.h"
 #include "PixelErrors.h"
 #include "Shading/OwenSobolSequence.h"
 
@@ -152,6 +153,18 @@ bool PixelIntegrator::HitsDenseSurface() const
     });
 }
 
+// Returns true if the color changes abruptly within the triangle that the sample hit.
+bool PixelIntegrator::IsUnsteady(const Sample& sample) const
+{
+  const Hit& hit = sample.FirstHit;
+  if (!hit.IsHit() || this->Unsteady.empty() || !this->Unsteady[hit.Surface])
+  {
+    return false;
+  }
+  const Surface& surface = this->Tracer.GetScene().Surfaces[hit.Surface];
+  return HasUnsteadyNormal(surface, surface.GetStoredTriangle(hit.Primitive));
+}
+
 // Returns true if the corners lie in different texels of a texture, so that colors may change within
 // the pixel without an edge of the mesh.
 bool PixelIntegrator::IsTextureDiscontinuous() const
@@ -214,6 +227,15 @@ PixelResult PixelIntegrator::IntegrateSampled()
   SampledPixel& pixel = this->AddSampledPixel();
   pixel.Floor = HiddenError;
   pixel.IsRasterized = this->Rasterizer && this->Rasterizer->SelectPixel({ this->X, this->Y });
+  this->Refine(pixel);
+  return pixel.Result;
+}
+
+// Rays sample the pixel, because a rasterized triangle has only few colors.
+PixelResult PixelIntegrator::IntegrateUnsteady()
+{
+  SampledPixel& pixel = this->AddSampledPixel();
+  pixel.Floor = HiddenError;
   this->Refine(pixel);
   return pixel.Result;
 }

@@ -23,6 +23,13 @@ constexpr double EdgePrecision = 1e-3;
 /// retraced.
 constexpr double CornerInset = 4.0 * EdgePrecision;
 
+// --- Triangles with unsteady normals ---
+
+/// Length of an interpolated normal, relative to the longest one of the triangle, below which its
+/// direction changes too fast to be found by rays. Reached if the normals of two corners differ by
+/// 151 degrees.
+constexpr double UnsteadyLength = 0.25;
+
 // --- Surfaces with subpixel triangles ---
 
 /// Number of triangles, approximately, from which the mean projected area of a surface is

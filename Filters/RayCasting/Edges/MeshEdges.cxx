@@ -5,6 +5,7 @@
 #include "EdgeConstants.h"
 #include "Execution/ParallelBins.h"
 #include "Surface.h"
+#include "UnsteadyNormals.h"
 
 #include <algorithm>
 #include <atomic>
@@ -426,14 +427,16 @@ private:
 
 }
 
-std::vector<MeshEdge> FindMeshEdges(const Surface& surface, double contrast)
+std::vector<MeshEdge> FindMeshEdges(const Surface& surface, double contrast, bool isUnsteady)
 {
   const std::vector<Index> canonical = MergePositions(surface.Positions);
   HalfEdges half(surface, canonical, [](Index) { return true; });
   const CreaseTest crease(surface, contrast);
   return MakeEdges(half, [&](Index v, const HalfEdge* e, std::ptrdiff_t count) {
     const bool pair = count == 2;
-    return MakeEdge(surface, v, e, pair, !pair || crease(e[0], e[1]));
+    const bool isUnsteadyEdge = pair && isUnsteady &&
+      (HasUnsteadyNormal(surface, e[0].Triangle) || HasUnsteadyNormal(surface, e[1].Triangle));
+    return MakeEdge(surface, v, e, pair, !pair || isUnsteadyEdge || crease(e[0], e[1]));
   });
 }
 

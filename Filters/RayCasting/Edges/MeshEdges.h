@@ -28,9 +28,10 @@ struct MeshEdge
 /**
  * Returns the edges of `surface`. Positions with equal coordinates count as one, which connects
  * meshes without shared points. An edge between two triangles is not a feature edge if their colors
- * differ by `contrast` at most (in [0, 1], under full light).
+ * differ by `contrast` at most (in [0, 1], under full light). If `isUnsteady` is true, the edges of
+ * triangles with unsteady normals are feature edges.
  */
-std::vector<MeshEdge> FindMeshEdges(const Surface& surface, double contrast);
+std::vector<MeshEdge> FindMeshEdges(const Surface& surface, double contrast, bool isUnsteady);
 
 /**
  * Returns the silhouettes, boundaries and color seams of `surface` as seen from `camera`, and the

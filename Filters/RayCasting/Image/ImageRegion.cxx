@@ -6,6 +6,7 @@
 #include "Coverage/TileRefinement.h"
 #include "Edges/RoundOutlines.h"
 #include "Edges/SubpixelTriangles.h"
+#include "Edges/UnsteadyNormals.h"
 #include "Execution/ParallelFor.h"
 #include "InstanceEdges.h"
 #include "Scene.h"
@@ -98,13 +99,13 @@ void RefineTiles(glm::ivec2 low, glm::ivec2 high, PixelIntegrator& integrator, I
   }
 }
 
-std::vector<MeshEdge> FindEdges(const Surface& surface, bool isDense,
+std::vector<MeshEdge> FindEdges(const Surface& surface, bool isDense, bool isUnsteady,
   const IntegrationSettings& integration, const Camera& camera)
 {
   const double contrast = EdgeContrastFraction * integration.Tolerance;
   return surface.IsRound()          ? std::vector<MeshEdge>()
     : isDense && !surface.Instances ? FindEdgesOfDenseMesh(surface, contrast, camera)
-                                    : FindMeshEdges(surface, contrast);
+                                    : FindMeshEdges(surface, contrast, isUnsteady);
 }
 
 /// Edges of one tile.
@@ -200,8 +201,9 @@ SceneEdges FindSceneEdges(
   {
     ThrowIfStopped(progress, 0.0);
     edges.Dense.push_back(HasSubpixelTriangles(surface, scene.ViewCamera));
+    edges.Unsteady.push_back(HasUnsteadyNormals(surface));
     edges.EdgesBySurface.push_back(
-      FindEdges(surface, edges.Dense.back(), integration, scene.ViewCamera));
+      FindEdges(surface, edges.Dense.back(), edges.Unsteady.back(), integration, scene.ViewCamera));
   }
   return edges;
 }
@@ -217,8 +219,8 @@ void UpdateSceneEdges(const Scene& scene, const RenderSettings& settings,
     edges.Dense[i] = HasSubpixelTriangles(surface, scene.ViewCamera);
     if ((edges.Dense[i] || wasDense) && !surface.Instances)
     {
-      edges.EdgesBySurface[i] =
-        FindEdges(surface, edges.Dense[i], settings.Integration, scene.ViewCamera);
+      edges.EdgesBySurface[i] = FindEdges(
+        surface, edges.Dense[i], edges.Unsteady[i], settings.Integration, scene.ViewCamera);
     }
   }
 }
@@ -316,7 +318,8 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
       }
       const TileEdges inTile{ shapes > 0 ? withOutlines : edges, shapes > 0 ? nullptr : indices,
         shapes > 0 ? withOutlines.size() : count, shapes > MaximumOutlinesInTile };
-      PixelIntegrator integrator(tracer, grid, inTile.All, sceneEdges.Dense, settings.Integration);
+      PixelIntegrator integrator(
+        tracer, grid, inTile.All, sceneEdges.Dense, sceneEdges.Unsteady, settings.Integration);
       TileRasterizer rasterizer(tracer.GetRays(), tileGrid, triangles, tile);
       const bool mayRasterize = triangles.GetCount(tile) > 0 && shapes == 0;
       RenderTile(origin, inTile, mayRasterize ? &rasterizer : nullptr, integrator, region);

@@ -27,8 +27,9 @@ struct RenderSettings
 struct SceneEdges
 {
   std::vector<std::vector<MeshEdge>> EdgesBySurface;
-  std::vector<char> Dense; ///< per surface: its triangles are smaller than pixels, and only the
-                           ///< silhouettes and boundaries among their edges are found
+  std::vector<char> Dense;    ///< per surface: its triangles are smaller than pixels, and only the
+                              ///< silhouettes and boundaries among their edges are found
+  std::vector<char> Unsteady; ///< per surface: see HasUnsteadyNormals()
 };
 
 /// Finds the edges of all surfaces. Throws Stopped if `progress` requests a stop.

@@ -10,12 +10,16 @@
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkCleanPolyData.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkParametricBoy.h"
+#include "vtkParametricFunctionSource.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
@@ -187,4 +191,50 @@ TEST(TextureOutlines, HaveReliableErrorEstimates)
     worst = std::max(worst, tile.Error > tile.Estimate ? tile.Error : 0.0);
   }
   EXPECT_LE(worst, 1.5 * tolerance);
+}
+
+TEST(UnsteadyNormals, AreSampledToTheTolerance)
+{
+  // Boy's surface has one side only: normals are opposite in a band of triangles.
+  vtkNew<vtkParametricBoy> boy;
+  vtkNew<vtkParametricFunctionSource> source;
+  source->SetParametricFunction(boy);
+  source->SetUResolution(120);
+  source->SetVResolution(120);
+  source->GenerateNormalsOff();
+  source->SetScalarModeToNone();
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(clean->GetOutputPort());
+  normals->SplittingOff();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(normals->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  renderer->GetActiveCamera()->SetPosition(1.0, 0.8, 2.0);
+  renderer->ResetCamera();
+  constexpr int Side = 256;
+  double tolerance = 0.0;
+  const Answer answer = Cast(renderer, Side, Side,
+    [&](vtkPenumbraRayCaster* caster) { tolerance = caster->GetTolerance(); });
+  const StratifiedReference reference = DrawStratified(renderer, Side, Side, 12, false);
+  int far = 0;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < answer.Colors.size(); ++i)
+  {
+    const double error = std::abs(answer.Colors[i].x - reference.Colors[i].x);
+    worst = std::max(worst, error);
+    far += error > 0.1;
+  }
+  EXPECT_EQ(far, 0) << "worst: " << worst;
+  std::size_t above = 0;
+  const std::vector<TileAccuracy> tiles = CompareTiles(answer, reference, Side);
+  for (const TileAccuracy& tile : tiles)
+  {
+    above += tile.Error > tolerance && tile.Estimate < tile.Error ? 1 : 0;
+  }
+  EXPECT_LE(20 * above, tiles.size());
 }

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Detection of triangles whose interpolated normal is almost zero somewhere. Its direction, and with
+// it the color, changes abruptly there, without an edge.
+#ifndef penumbra_UnsteadyNormals_h
+#define penumbra_UnsteadyNormals_h
+
+#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
+
+#include <cstddef>
+
+namespace penumbra
+{
+
+struct Surface;
+
+/// Returns true if the length of the interpolated normal falls below UnsteadyLength in a triangle of
+/// Surface::Triangles.
+VTKPENUMBRAFILTERSRAYCASTING_EXPORT bool HasUnsteadyNormal(
+  const Surface& surface, std::size_t triangle);
+
+/// Returns true if a triangle of the surface has such a normal.
+bool HasUnsteadyNormals(const Surface& surface);
+
+}
+#endif
