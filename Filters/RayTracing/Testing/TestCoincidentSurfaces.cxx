@@ -193,8 +193,8 @@ TEST(OffsetSurface, SeparatesCopiesAtGrazingIncidence)
         {
           const double y = .00009 * ((37 * i) % 200 - 100);
           const double v = y / (1.0 + slope);
-          const Ray ray = parallel ? Ray{ { .004 * i - .4, y, 0.0 }, { 0.f, 0.f, -1.f } }
-                                   : Ray{ glm::vec3(0.f), { .004 * i - .4, v, -1.0 } };
+          const Ray ray = parallel ? Ray{ { .001 * i - .1, y, 0.0 }, { 0.f, 0.f, -1.f } }
+                                   : Ray{ glm::vec3(0.f), { .001 * i - .1, v, -1.0 } };
           const Hit hit = rays.Intersect(ray);
           ASSERT_TRUE(hit.IsHit()) << slope;
           EXPECT_EQ(hit.Surface, units < 0.0 ? 0u : 1u) << slope << " " << i;
