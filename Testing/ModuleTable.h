@@ -36,11 +36,12 @@ inline const std::vector<Row> Table = {
   // OpenGL: the classes of two mappers that have no other base class.
   { "Filters/Scene", { "Filters/Scene/Execution" }, { "GLM", "OpenGL" } },
   { "Filters/Scene/Features", { "Filters/Scene" }, {} },
+  { "Filters/Scene/Geometry", { "Filters/Scene", "Filters/Scene/Execution" }, { "GLM" } },
   { "Filters/Scene/Tessellation", { "Filters/Scene", "Filters/Scene/Execution" }, { "GLM" } },
   { "Filters/Scene/Annotation", { "Filters/Scene", "Filters/Scene/Features" }, { "GLM" } },
   { "Filters/Scene/Import",
     { "Filters/Scene", "Filters/Scene/Execution", "Filters/Scene/Features",
-      "Filters/Scene/Tessellation", "Filters/Scene/Annotation" },
+      "Filters/Scene/Geometry", "Filters/Scene/Tessellation", "Filters/Scene/Annotation" },
     { "GLM" } },
 
   { "Filters/RayTracing/Embree", { "Filters/Scene", "Filters/Scene/Execution" },
@@ -97,7 +98,7 @@ inline const std::vector<Row> Table = {
       "Filters/RayTracing/Shading", "Filters/Irradiance/Gathering" },
     { "GLM" } },
   { "Filters/Irradiance/Baking",
-    { "Filters/Scene", "Filters/Scene/Import", "Filters/Scene/Execution",
+    { "Filters/Scene", "Filters/Scene/Geometry", "Filters/Scene/Execution",
       "Filters/Scene/Tessellation", "Filters/RayTracing/Embree", "Filters/RayTracing/Shading",
       "Filters/RayTracing", "Filters/Irradiance/Gathering", "Filters/Irradiance/Records" },
     { "GLM" } },
@@ -108,7 +109,7 @@ inline const std::vector<Row> Table = {
     { "GLM" } },
 
   { "Filters/Parallel",
-    { "Filters/Scene", "Filters/Scene/Import", "Filters/RayCasting", "Filters/Irradiance" }, {} },
+    { "Filters/Scene", "Filters/Scene/Geometry", "Filters/RayCasting", "Filters/Irradiance" }, {} },
 
   { "Rendering/ScreenSpace/Frame", {}, { "OpenGL" } },
   { "Rendering/ScreenSpace/Chain", {}, { "OpenGL" } },
@@ -155,7 +156,7 @@ inline const std::vector<Row> Table = {
   { "Command/Formats", { "Command/Processes", "Command/Files" }, {} },
   { "Command/Input",
     { "Command/Processes", "Command/Parsing", "Command/Files", "Command/Formats",
-      "Command/Truncation", "Filters/Scene", "Filters/Scene/Import", "Filters/RayTracing" },
+      "Command/Truncation", "Filters/Scene", "Filters/Scene/Geometry", "Filters/RayTracing" },
     {} },
   { "Command/Options",
     { "Filters/Conventions", "Command/Processes", "Command/Parsing", "Command/Files",

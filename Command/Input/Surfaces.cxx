@@ -6,7 +6,7 @@
 #include "DataSetValidation.h"
 #include "FileSeries.h"
 #include "Files/InputFiles.h"
-#include "Import/CurvedCells.h"
+#include "Geometry/CurvedCells.h"
 #include "Processes/CommandError.h"
 #include "Processes/Worker.h"
 #include "ReadLimit.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceExchange.h"
 
-#include "Import/SurfaceGeometry.h"
+#include "Geometry/SurfaceGeometry.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkBoundingBox.h"

@@ -3,7 +3,7 @@
 #include "BakeInput.h"
 
 #include "Gathering/IrradianceConstants.h"
-#include "Import/SurfaceGeometry.h"
+#include "Geometry/SurfaceGeometry.h"
 #include "PointNormals.h"
 #include "Shading/HemisphereSampling.h"
 #include "Surface.h"

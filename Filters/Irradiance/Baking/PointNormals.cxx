@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointNormals.h"
 
-#include "Import/SurfaceGeometry.h"
+#include "Geometry/SurfaceGeometry.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"

@@ -3,10 +3,11 @@
 #include "SceneExtractionActors.h"
 
 #include "Annotation/SceneExtractionOverlay.h"
-#include "CurvedCells.h"
 #include "DepthOffsets.h"
 #include "Features/SceneFeatures.h"
 #include "Features/UnsupportedFeatures.h"
+#include "Geometry/CurvedCells.h"
+#include "Geometry/SurfaceGeometry.h"
 #include "SceneExtractionAxes.h"
 #include "SceneExtractionBlocks.h"
 #include "SceneExtractionColors.h"
@@ -15,7 +16,6 @@
 #include "SceneExtractionSky.h"
 #include "SceneExtractionSplats.h"
 #include "Surface.h"
-#include "SurfaceGeometry.h"
 #include "Tessellation/SceneExtractionImposters.h"
 
 #include "vtkActor.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurvedFaceIds.h"
-#include "Import/CurvedCells.h"
+#include "Geometry/CurvedCells.h"
 #include "Tessellation/SceneExtractionItem.h"
 #include "Tessellation/SceneExtractionSegments.h"
 
