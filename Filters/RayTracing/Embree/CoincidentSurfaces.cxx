@@ -65,20 +65,12 @@ bool AreNear(const AxisAlignedBox& a, const AxisAlignedBox& b, float tolerance)
   return true;
 }
 
-/// Sorts indices of coincident surfaces, the one in front first. As with the depth test of VTK,
-/// later surfaces are drawn over earlier ones, and translucent ones over opaque ones.
-void SortByDrawOrder(const Scene& scene, std::vector<std::uint32_t>& indices)
+/// Returns the key that orders coincident surfaces, the one in front first, except that surfaces of
+/// equal keys are in front of those that are drawn earlier. As with the depth test of VTK,
+/// translucent surfaces are drawn over opaque ones.
+std::tuple<bool, float, bool> MakeSortKey(const Surface& surface)
 {
-  using Key = std::tuple<bool, float, bool, std::uint32_t>;
-  std::vector<Key> keys;
-  for (const std::uint32_t i : indices)
-  {
-    const Surface& surface = scene.Surfaces[i];
-    keys.emplace_back(!surface.IsLineOrPoint, surface.DepthRank, !surface.IsTranslucent(), ~i);
-  }
-  std::sort(keys.begin(), keys.end());
-  std::transform(keys.begin(), keys.end(), indices.begin(),
-    [](const Key& key) { return ~std::get<std::uint32_t>(key); });
+  return { !surface.IsLineOrPoint, surface.DepthRank, !surface.IsTranslucent() };
 }
 
 /// Returns the error of the hit distance that results from the rounded vertices of the triangle.
@@ -124,7 +116,8 @@ float CandidateHits::Add(const CandidateHit& hit, float tolerance)
 CoincidentSurfaces::CoincidentSurfaces(const Scene& scene)
   : TracedScene(scene),
     DepthTolerances(scene.Surfaces.size(), 0.f),
-    DrawOrder(scene.Surfaces.size(), 0)
+    DrawOrder(scene.Surfaces.size(), 0),
+    NextInOrder(scene.Surfaces.size(), 0)
 {
   std::vector<AxisAlignedBox> boxes(scene.Surfaces.size());
   std::transform(scene.Surfaces.begin(), scene.Surfaces.end(), boxes.begin(), ComputeBounds);
@@ -159,18 +152,32 @@ CoincidentSurfaces::CoincidentSurfaces(const Scene& scene)
   order.erase(std::remove_if(order.begin(), order.end(),
                 [&](std::uint32_t i) { return !(DepthTolerances[i] > 0.f); }),
     order.end());
-  SortByDrawOrder(scene, order);
-  for (std::size_t i = 0; i < order.size(); ++i)
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const auto keyOfA = MakeSortKey(scene.Surfaces[a]);
+    const auto keyOfB = MakeSortKey(scene.Surfaces[b]);
+    return keyOfA != keyOfB ? keyOfA < keyOfB : a > b;
+  });
+  int next = static_cast<int>(order.size());
+  for (int i = next - 1; i >= 0; --i)
   {
-    this->DrawOrder[order[i]] = static_cast<int>(i);
+    // Translucent surfaces count once where they coincide, as with depth peeling.
+    const Surface& surface = scene.Surfaces[order[i]];
+    const bool isLast = i + 1 == static_cast<int>(order.size()) ||
+      MakeSortKey(surface) != MakeSortKey(scene.Surfaces[order[i + 1]]);
+    next = isLast || !surface.IsTranslucent() ? i + 1 : next;
+    this->DrawOrder[order[i]] = i;
+    this->NextInOrder[order[i]] = next;
   }
 }
 
-Hit CoincidentSurfaces::Resolve(const Ray& ray, const Hit& last, CandidateHits& candidates) const
+Hit CoincidentSurfaces::Resolve(
+  const Ray& ray, const Hit& embreeHit, CandidateHits& candidates) const
 {
-  if (this->DepthTolerances[last.Surface] <= 0.f)
+  if (this->DepthTolerances[embreeHit.Surface] <= 0.f)
   {
-    candidates.Add({ last.Surface, last.Primitive, last.U, last.V, last.Distance }, 0.f);
+    candidates.Add(
+      { embreeHit.Surface, embreeHit.Primitive, embreeHit.U, embreeHit.V, embreeHit.Distance },
+      0.f);
   }
   if (ray.FirstInOrder > 0)
   {
@@ -211,7 +218,7 @@ Hit CoincidentSurfaces::Resolve(const Ray& ray, const Hit& last, CandidateHits& 
   int best = nearest;
   float begin = candidates.Hits[nearest].Distance;
   float farthest = begin;
-  bool isShared = false;
+  int last = 0; // in the order of those that coincide
   for (int i = 0; candidates.Count > 1 && i < candidates.Count; ++i)
   {
     if (distances[i] - distances[nearest] > roundings[i] + roundings[nearest])
@@ -222,7 +229,7 @@ Hit CoincidentSurfaces::Resolve(const Ray& ray, const Hit& last, CandidateHits& 
     const CandidateHit& front = candidates.Hits[best];
     begin = std::min(begin, hit.Distance);
     farthest = std::max({ farthest, hit.Distance, static_cast<float>(distances[i]) });
-    isShared = isShared || hit.Surface != front.Surface;
+    last = std::max(last, this->DrawOrder[hit.Surface]);
     if (std::make_pair(this->DrawOrder[hit.Surface], hit.Primitive) <
       std::make_pair(this->DrawOrder[front.Surface], front.Primitive))
     {
@@ -235,10 +242,10 @@ Hit CoincidentSurfaces::Resolve(const Ray& ray, const Hit& last, CandidateHits& 
     farthest = std::max(farthest, ray.CoincidentFar); // of those that were skipped
   }
   Hit hit{ visible.Surface, visible.Primitive, visible.U, visible.V, visible.Distance, farthest };
-  if (isShared)
+  if (last >= this->NextInOrder[visible.Surface])
   {
     hit.CoincidentNear = std::max(ray.Near, begin - CoincidenceSlack * std::abs(begin));
-    hit.NextInOrder = this->DrawOrder[visible.Surface] + 1;
+    hit.NextInOrder = this->NextInOrder[visible.Surface];
   }
   return hit;
 }

@@ -5,7 +5,8 @@
 // other along a ray than single precision can resolve. Distances are compared in double precision.
 // Coplanar surfaces are ordered as VTK draws them, so that the image does not depend on rounding:
 // lines and points are in front, then surfaces whose mappers shift them toward the camera, then
-// translucent surfaces, then those that are drawn later.
+// translucent surfaces, then those that are drawn later. Of coincident translucent surfaces, a ray meets
+// only the first one.
 #ifndef penumbra_CoincidentSurfaces_h
 #define penumbra_CoincidentSurfaces_h
 
@@ -59,16 +60,17 @@ public:
   /// Returns true if no two surfaces are near each other.
   bool IsEmpty() const { return this->Empty; }
 
-  /// Returns the visible hit of the candidates; `last` is the hit that Embree returned.
+  /// Returns the visible hit of the candidates; `embreeHit` is what Embree returned.
   /// Hit::NextNear of the result is the distance of the farthest coincident hit. Returns a miss if
   /// the ray skips all candidates.
-  Hit Resolve(const Ray& ray, const Hit& last, CandidateHits& candidates) const;
+  Hit Resolve(const Ray& ray, const Hit& embreeHit, CandidateHits& candidates) const;
 
 private:
   const Scene& TracedScene;
   std::vector<float> DepthTolerances; ///< per surface
   bool Empty = true;
-  std::vector<int> DrawOrder; ///< per surface; lower values are in front
+  std::vector<int> DrawOrder;   ///< per surface; lower values are in front
+  std::vector<int> NextInOrder; ///< place in this order of the next one that a ray meets
 };
 
 }

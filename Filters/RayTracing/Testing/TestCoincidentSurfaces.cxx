@@ -99,6 +99,10 @@ TEST(CoincidentSurfaces, AreInTheOrderInWhichVTKDrawsThem)
   EXPECT_EQ(FindLayers(scene), (Layers{ 0, 2, 1 })); // translucent ones first
   scene.Surfaces = { near, pane, second, line };
   EXPECT_EQ(FindLayers(scene), (Layers{ 3, 0, 1, 2 }));
+  Surface nearPane = pane;
+  nearPane.DepthRank = -1.f;
+  scene.Surfaces = { pane, first, pane, nearPane };
+  EXPECT_EQ(FindLayers(scene), (Layers{ 3, 2, 1 })); // translucent ones of one offset once
 }
 
 TEST(CoincidentSurfaces, DoNotHideSurfacesBehindThem)
