@@ -18,8 +18,12 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
-#include "vtkRecoverGeometryWireframe.h"
 #include "vtkRenderer.h"
+// VTK 9.2 lacks this filter; its rasterizer shows the edges between the parts of curved cells.
+#if __has_include("vtkRecoverGeometryWireframe.h")
+#define PENUMBRA_HAS_RECOVER_GEOMETRY_WIREFRAME
+#include "vtkRecoverGeometryWireframe.h"
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +62,7 @@ vtkSmartPointer<vtkPolyData> ComputeNormals(vtkPolyData* mesh, double featureAng
   return normals->GetOutput();
 }
 
+#ifdef PENUMBRA_HAS_RECOVER_GEOMETRY_WIREFRAME
 /// Sets the array that holds the faces of curved cells. Before VTK 9.3, its name is fixed.
 template <typename Filter>
 auto SetFaces(Filter* filter, int) -> decltype(filter->SetCellIdsAttribute(CurvedFaces))
@@ -82,6 +87,12 @@ vtkSmartPointer<vtkPolyData> HideInnerEdges(vtkPolyData* mesh)
   edges->Update();
   return edges->GetOutput();
 }
+#else
+vtkSmartPointer<vtkPolyData> HideInnerEdges(vtkPolyData* mesh)
+{
+  return mesh;
+}
+#endif
 
 void SetAppearance(vtkProperty* property, const RenderOptions& options, double unitsPerPoint)
 {
