@@ -90,6 +90,10 @@ struct Surface
   bool ScalarColoring = false; ///< colored by scalars; the default ambient occlusion is weaker
   /// If true, the triangles are expanded lines or points, which neither cast nor receive shadows.
   bool IsLineOrPoint = false;
+  /// Width of the edges of the surfaces with the same ObjectId, in pixels; 0 if this surface consists
+  /// of others. Directly behind edges, these surfaces show only through them: both together have the
+  /// opacity of the surface, as VTK draws edges by replacing colors.
+  float EdgeWidth = 0.f;
   /// If true, the surface emits light and hides nothing: its color, multiplied by its opacity, is
   /// added to what is behind it.
   bool IsAdditive = false;

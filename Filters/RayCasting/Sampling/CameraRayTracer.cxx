@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CameraRayTracer.h"
 
+#include "EdgeBlending.h"
 #include "Embree/RayTriangle.h"
 #include "LayerLighting.h"
 #include "Scene.h"
@@ -129,6 +130,7 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
   Ray continuation = ray;
   double distance = -this->ViewCamera.Advance;
   LayerOrder order;
+  EdgeBlending edges(this->ViewCamera);
   LayerLighting lighting(this->Lighting, this->Rays, toleranceScale);
   const long long shadowRays = counts.Shadow;
   for (int layer = 0; hit.IsHit() && layer < MaximumLayers; ++layer)
@@ -162,6 +164,7 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
     const ShadedHit shaded =
       this->SurfaceShading.Shade(ray, hit, counts.Shadow, hasPenumbrae ? &lights : nullptr);
     glm::vec4 c = shaded.Color;
+    c.a = edges.FindOpacity(surface, ray, hit, shaded);
     if (this->UsesIrradianceProvider() && !surface.IsLineOrPoint)
     {
       lighting.Apply(ray, hit, shaded, remaining * c.a, tint, c, sample.Color, counts);

@@ -175,7 +175,8 @@ bool AreMergeable(const Surface& a, const Surface& b)
 {
   return a.IsRound() == b.IsRound() && a.Segments.empty() == b.Segments.empty() &&
     a.IsLineOrPoint == b.IsLineOrPoint && a.HidesLines == b.HidesLines &&
-    a.NormalRule == b.NormalRule && a.Normals.empty() == b.Normals.empty() &&
+    a.EdgeWidth == b.EdgeWidth && a.NormalRule == b.NormalRule &&
+    a.Normals.empty() == b.Normals.empty() &&
     a.TriangleNormals.empty() == b.TriangleNormals.empty() && a.LitTexture == b.LitTexture &&
     a.BaseColorTexture == b.BaseColorTexture && a.DetailTextures == b.DetailTextures &&
     a.Tangents.empty() == b.Tangents.empty() && a.Front.Lighting == b.Front.Lighting &&

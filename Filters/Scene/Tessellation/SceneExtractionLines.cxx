@@ -3,6 +3,7 @@
 #include "SceneExtractionLines.h"
 
 #include "LineExpansion.h"
+#include "LineMaterials.h"
 #include "Scene.h"
 #include "SceneExtractionClipping.h"
 #include "SceneExtractionSegments.h"
@@ -22,58 +23,6 @@ namespace penumbra
 {
 namespace
 {
-
-// vtkProperty has an edge width since VTK 9.3 and an edge opacity since VTK 9.4.
-template <typename Property>
-auto FindEdgeWidth(Property* property, int)
-  -> decltype(property->GetUseLineWidthForEdgeThickness(), property->GetEdgeWidth())
-{
-  return property->GetUseLineWidthForEdgeThickness() ? property->GetLineWidth()
-                                                     : property->GetEdgeWidth();
-}
-template <typename Property>
-float FindEdgeWidth(Property* property, long)
-{
-  return property->GetLineWidth();
-}
-template <typename Property>
-auto FindEdgeOpacity(Property* property, int) -> decltype(property->GetEdgeOpacity())
-{
-  return property->GetEdgeOpacity();
-}
-template <typename Property>
-double FindEdgeOpacity(Property*, long)
-{
-  return 1.0;
-}
-
-/// Returns a material whose color does not depend on the lights.
-Material MakeUnlitMaterial(const double color[3], double opacity)
-{
-  Material material;
-  material.AmbientColor = glm::vec3(color[0], color[1], color[2]);
-  material.DiffuseColor = material.AmbientColor;
-  material.Ambient = 1.f;
-  material.Diffuse = 0.f;
-  material.Opacity = static_cast<float>(opacity);
-  material.Lighting = false;
-  return material;
-}
-
-bool IsPhysicallyBased(vtkProperty* property)
-{
-  return property->GetInterpolation() == VTK_PBR;
-}
-
-/// Returns the lit material of edges and vertices that are drawn as tubes and spheres.
-Material MakeRoundMaterial(vtkProperty* property, const Material& unlit)
-{
-  Material material = MakeMaterial(property);
-  material.AmbientColor = unlit.AmbientColor;
-  material.DiffuseColor = unlit.DiffuseColor;
-  material.Opacity = unlit.Opacity;
-  return material;
-}
 
 /// Frees ids that are 0, 1, 2, ..., see Surface::CellIds.
 void DropIdentity(std::vector<std::uint32_t>& ids)
@@ -111,6 +60,34 @@ public:
     SetCellIds(item, cells, this->Attributes);
   }
 
+  /// Gives all that follows the color of edges, see ReplaceColors().
+  void SetEdgeMaterial(const Material& material) { ReplaceColors(material, this->Attributes); }
+
+  /// Returns true if the side of a polygon that faces the camera is culled.
+  bool IsCulled(const vtkIdType* ids, vtkIdType size) const
+  {
+    glm::dvec3 normal(0.0); // Newell's
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      const auto from = static_cast<std::uint32_t>(ids[i]);
+      const auto to = static_cast<std::uint32_t>(ids[(i + 1) % size]);
+      if (!this->IsUsable(from) || !this->IsUsable(to))
+      {
+        return false;
+      }
+      const glm::dvec3 first = this->Points[static_cast<std::uint32_t>(ids[0])];
+      normal +=
+        glm::cross(glm::dvec3(this->Points[from]) - first, glm::dvec3(this->Points[to]) - first);
+    }
+    const Camera& camera = this->Target.ViewCamera;
+    const glm::dvec3 view = camera.Parallel
+      ? camera.Forward
+      : glm::dvec3(this->Points[static_cast<std::uint32_t>(ids[0])]) - camera.Position;
+    const double facing = glm::dot(normal, view);
+    return (facing < 0.0 && this->Item.Property->GetFrontfaceCulling()) ||
+      (facing > 0.0 && this->Item.Property->GetBackfaceCulling());
+  }
+
   /// Appearance of segments. If Single is set, it replaces the material and the colors of the item.
   struct LineStyle
   {
@@ -121,6 +98,7 @@ public:
     double Radius = 0.0;       ///< of spheres and tubes, in world units; 0: half of Width
     double MinimumShift = 0.0; ///< of squares toward the camera; else Width
     DepthOffset Offset{};      ///< of squares and strips, see DrawItem
+    bool AreEdges = false;     ///< of the polygons of the item
   };
 
   void Add(const std::vector<LineSegment>& segments, const LineStyle& style)
@@ -155,6 +133,10 @@ private:
     this->Result = Surface();
     this->Result.ObjectId = this->Item.ObjectId;
     this->Result.Front = style.Single ? *style.Single : this->Attributes.Front;
+    if (style.AreEdges)
+    {
+      this->Result.EdgeWidth = static_cast<float>(style.Width * this->PixelsPerPoint);
+    }
     if (!style.Single)
     {
       this->Result.ScalarColoring = this->Attributes.ScalarColoring;
@@ -465,20 +447,27 @@ void AddLinesAndPoints(const DrawItem& item, double pixelsPerPoint, Scene& scene
   }
   if (edges)
   {
-    Material material = MakeUnlitMaterial(
-      property->GetEdgeColor(), property->GetOpacity() * FindEdgeOpacity(property, 0));
-    material.PhysicallyBased = IsPhysicallyBased(property) && !property->GetLighting();
-    const Material round = MakeRoundMaterial(property, material);
-    expander.Add(CollectEdges(item),
-      { FindEdgeWidth(property, 0), false, roundEdges ? &round : &material, roundEdges });
+    Material material = MakeUnlitMaterial(property->GetEdgeColor(), FindEdgeOpacity(property));
+    material.PhysicallyBased = property->GetInterpolation() == VTK_PBR && !property->GetLighting();
+    expander.SetEdgeMaterial(roundEdges ? MakeRoundMaterial(property, material) : material);
+    const bool culls = property->GetFrontfaceCulling() || property->GetBackfaceCulling();
+    LineExpander::LineStyle style;
+    style.Width = FindEdgeWidth(property);
+    style.IsRound = roundEdges;
+    style.AreEdges = true;
+    expander.Add(CollectEdges(item,
+                   [&](const vtkIdType* ids, vtkIdType size) {
+                     return culls && expander.IsCulled(ids, size);
+                   }),
+      style);
   }
   if (vertices)
   {
     // VTK draws vertices over edges, however wide these are.
     constexpr double VertexOffset = 1.5;
-    const double edgeWidth = edges ? FindEdgeWidth(property, 0) : lineWidth;
+    const double edgeWidth = edges ? FindEdgeWidth(property) : lineWidth;
     Material material = MakeUnlitMaterial(property->GetVertexColor(), property->GetOpacity());
-    material.PhysicallyBased = IsPhysicallyBased(property);
+    material.PhysicallyBased = property->GetInterpolation() == VTK_PBR;
     const Material round = MakeRoundMaterial(property, material);
     expander.Add(CollectPoints(item, true),
       { pointSize, false, roundVertices ? &round : &material, roundVertices, 0.0,

@@ -140,7 +140,7 @@ std::vector<LineSegment> CollectLines(vtkPolyData* data)
   return segments;
 }
 
-std::vector<LineSegment> CollectEdges(const DrawItem& item)
+std::vector<LineSegment> CollectEdges(const DrawItem& item, const PolygonTest& isCulled)
 {
   std::vector<LineSegment> segments;
   vtkPolyData* data = item.Data;
@@ -152,7 +152,8 @@ std::vector<LineSegment> CollectEdges(const DrawItem& item)
   vtkIdType first = data->GetVerts()->GetNumberOfCells() + data->GetLines()->GetNumberOfCells();
   ForEachCell(
     data->GetPolys(), first, [&](const vtkIdType* ids, vtkIdType size, std::uint32_t cell) {
-      for (vtkIdType i = 0; i < size; ++i)
+      const bool isDrawn = !isCulled || !isCulled(ids, size);
+      for (vtkIdType i = 0; isDrawn && i < size; ++i)
       {
         if (!isHidden(ids[i]))
         {
@@ -168,13 +169,24 @@ std::vector<LineSegment> CollectEdges(const DrawItem& item)
   first += data->GetPolys()->GetNumberOfCells();
   ForEachCell(
     data->GetStrips(), first, [&](const vtkIdType* ids, vtkIdType size, std::uint32_t cell) {
+      bool isBeforeDrawn = false; // the triangle before, which has the edge from i to i + 1, too
       for (vtkIdType i = 0; i + 1 < size; ++i)
       {
-        Append(segments, ids[i], ids[i + 1], cell);
-        if (i + 2 < size)
+        bool isDrawn = i + 2 < size;
+        if (isDrawn && isCulled)
+        {
+          const vtkIdType corners[3] = { ids[i], ids[i + 1 + i % 2], ids[i + 2 - i % 2] };
+          isDrawn = !isCulled(corners, 3);
+        }
+        if (isDrawn || isBeforeDrawn)
+        {
+          Append(segments, ids[i], ids[i + 1], cell);
+        }
+        if (isDrawn)
         {
           Append(segments, ids[i], ids[i + 2], cell);
         }
+        isBeforeDrawn = isDrawn;
       }
     });
   segments.erase(std::remove_if(segments.begin(), segments.end(),

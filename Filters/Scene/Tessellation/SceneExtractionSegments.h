@@ -9,6 +9,7 @@
 #include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace penumbra
@@ -30,8 +31,11 @@ std::vector<LineSegment> CollectPoints(const DrawItem& item, bool all);
 std::vector<LineSegment> CollectLines(vtkPolyData* data);
 
 /// Returns the edges of polygons and strips, without duplicates unless colors are per cell. Edges
-/// hidden by edge flags are skipped.
-VTKPENUMBRAFILTERSSCENE_EXPORT std::vector<LineSegment> CollectEdges(const DrawItem& item);
+/// hidden by edge flags are skipped, and edges of polygons for which `isCulled` returns true, which
+/// takes the ids of their points and the number of ids.
+using PolygonTest = std::function<bool(const vtkIdType*, vtkIdType)>;
+VTKPENUMBRAFILTERSSCENE_EXPORT std::vector<LineSegment> CollectEdges(
+  const DrawItem& item, const PolygonTest& isCulled = {});
 
 /// Returns 0, 1, 2, ... for the cells of the item.
 std::vector<std::uint32_t> MakeCellIndices(const DrawItem& item);

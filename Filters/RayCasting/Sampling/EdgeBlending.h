@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Opacities of the edges of translucent surfaces and of the surfaces directly behind them, along a ray.
+#ifndef penumbra_EdgeBlending_h
+#define penumbra_EdgeBlending_h
+
+#include "Embree/RayScene.h"
+#include "Shading/Shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+
+/// State of one ray. Hits are passed front to back.
+class EdgeBlending
+{
+public:
+  explicit EdgeBlending(const Camera& camera)
+    : ViewCamera(camera)
+  {
+  }
+
+  /// Returns the opacity of a hit. An edge and what it belongs to are one layer: with the opacities a
+  /// of the edge and b of the face, (b - a) / (1 - a) remains for the face.
+  float FindOpacity(const Surface& surface, const Ray& ray, const Hit& hit, const ShadedHit& shaded)
+  {
+    float opacity = shaded.Color.a;
+    const bool isEdge = surface.EdgeWidth > 0.f;
+    if (this->Covered > 0.f && surface.ObjectId == this->ObjectId &&
+      hit.Distance <= this->Edge + this->ComputeReach(ray, shaded))
+    {
+      const float own = opacity;
+      opacity = own > this->Covered ? (own - this->Covered) / (1.f - this->Covered) : 0.f;
+      this->Covered = isEdge ? std::max(this->Covered, own) : 0.f;
+    }
+    else if (isEdge)
+    {
+      this->ObjectId = surface.ObjectId;
+      this->Edge = hit.Distance;
+      this->Width = surface.EdgeWidth;
+      this->Covered = opacity;
+    }
+    return opacity;
+  }
+
+private:
+  /// Returns the largest distance along the ray between an edge, which is moved toward the camera by
+  /// its width, and its face, which may be inclined.
+  float ComputeReach(const Ray& ray, const ShadedHit& shaded) const
+  {
+    const glm::vec3 n = shaded.GeometricNormal;
+    const float cosine = std::abs(glm::dot(n, ray.Direction)) / glm::length(ray.Direction);
+    const float squared = glm::dot(n, n);
+    const float slope = std::sqrt(std::max(squared - cosine * cosine, 0.f));
+    const float pixels = this->Width * (2.f + (cosine > 0.f ? 0.5f * slope / cosine : 0.f));
+    const auto pixel = static_cast<float>(this->ViewCamera.PixelSize);
+    const auto origin = static_cast<float>(this->ViewCamera.DepthOfRayOrigins());
+    const float distance = this->ViewCamera.Parallel ? 1.f : this->Edge + origin;
+    return pixels * pixel * distance;
+  }
+
+  const Camera& ViewCamera;
+  int ObjectId = 0;
+  float Edge = 0.f;    ///< distance of the nearest edge
+  float Width = 0.f;   ///< of the edge, in pixels
+  float Covered = 0.f; ///< opacity of the edges so far; 0 if the last hit was no edge
+};
+
+}
+#endif
