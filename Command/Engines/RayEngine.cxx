@@ -84,15 +84,11 @@ std::string NameOptions(std::string warning)
   return warning;
 }
 
-// Collects warnings about geometry that the ray caster skips, except triangles without area, which are
-// invisible.
+// Collects warnings about geometry that the ray caster skips.
 void OnWarning(vtkObject*, unsigned long, void* clientData, void* callData)
 {
-  const std::string warning = NameOptions(StripMessagePrefix(static_cast<const char*>(callData)));
-  if (warning.find("without area") == std::string::npos)
-  {
-    static_cast<std::vector<std::string>*>(clientData)->push_back(warning);
-  }
+  static_cast<std::vector<std::string>*>(clientData)
+    ->push_back(NameOptions(StripMessagePrefix(static_cast<const char*>(callData))));
 }
 
 // Replaces `CellId` of extracted surfaces by the cell id in the data set of the file. The former array

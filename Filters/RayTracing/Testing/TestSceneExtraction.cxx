@@ -220,12 +220,12 @@ TEST(SceneExtraction, IgnoresAttributesOfWrongSizeAndWarns)
   }
 }
 
-TEST(SceneExtraction, DropsDegenerateTrianglesAndWarns)
+// They are invisible, and sources such as spheres with coarse poles have some.
+TEST(SceneExtraction, DropsDegenerateTriangles)
 {
   const Scene scene = Extract(Polygons({ { 0, 0, 1 }, { 0, 1, 1 }, { 0, 1, 2 }, { 0 }, { 0, 1 } }));
   EXPECT_EQ(scene.Surfaces[0].Triangles.size(), 1u);
-  EXPECT_TRUE(Warns(scene, "without area"));
-  EXPECT_EQ(scene.Warnings.size(), 1u);
+  EXPECT_TRUE(scene.Warnings.empty());
 }
 
 TEST(SceneExtraction, IsEmptyWithoutFinitePoints)

@@ -38,7 +38,6 @@ struct CollectedTriangles
   std::vector<std::uint32_t> Cells; ///< of each triangle, unless every cell is one triangle
   bool AreCellsTriangles = true;
   std::size_t InvalidCells = 0;
-  std::size_t DegenerateTriangles = 0;
 };
 
 /// Collects the triangles of consecutive polygons or strips. One thread uses it.
@@ -94,23 +93,18 @@ private:
     const glm::dvec3 a = this->Positions[i];
     const glm::dvec3 b = this->Positions[j];
     const glm::dvec3 c = this->Positions[k];
-    if (glm::cross(b - a, c - a) == glm::dvec3(0.0))
+    if (glm::cross(b - a, c - a) != glm::dvec3(0.0)) // others have no area and are invisible
     {
-      ++this->Found.DegenerateTriangles;
-      return;
+      this->Found.Triangles.emplace_back(i, j, k);
     }
-    this->Found.Triangles.emplace_back(i, j, k);
   }
 
   void AddStrip(const vtkIdType* ids, vtkIdType size)
   {
-    // Stitched strips repeat points on purpose, so their triangles without area are not counted.
-    const std::size_t flat = this->Found.DegenerateTriangles;
     for (vtkIdType k = 0; k + 2 < size; ++k)
     {
       this->Add(ids[k], ids[k + 1 + k % 2], ids[k + 2 - k % 2]);
     }
-    this->Found.DegenerateTriangles = flat;
   }
 
   void AddPolygon(const vtkIdType* ids, vtkIdType size)
@@ -121,10 +115,6 @@ private:
       this->Corners.emplace_back(this->Positions[ids[i]]);
     }
     TriangulatePolygon(this->Corners, this->Triangulation);
-    if (this->Triangulation.empty())
-    {
-      ++this->Found.DegenerateTriangles;
-    }
     for (const glm::uvec3& triangle : this->Triangulation)
     {
       this->Add(ids[triangle.x], ids[triangle.y], ids[triangle.z]);
@@ -191,11 +181,6 @@ public:
       warnings.push_back(name + ": " + std::to_string(this->InvalidCells) +
         " cells use points that do not exist or are not finite. They were skipped.");
     }
-    if (this->DegenerateTriangles > 0)
-    {
-      warnings.push_back(name + ": " + std::to_string(this->DegenerateTriangles) +
-        " triangles without area were skipped.");
-    }
   }
 
 private:
@@ -234,7 +219,6 @@ private:
       begin.push_back(begin.back() + part.Triangles.size());
       areCellsTriangles = areCellsTriangles && part.AreCellsTriangles;
       this->InvalidCells += part.InvalidCells;
-      this->DegenerateTriangles += part.DegenerateTriangles;
     }
     triangles.resize(begin.back());
     if (!areCellsTriangles)
@@ -269,7 +253,6 @@ private:
   std::uint32_t NextCell = 0;
   bool AreCellsTriangles = true; ///< true as long as cell i is triangle i
   std::size_t InvalidCells = 0;
-  std::size_t DegenerateTriangles = 0;
 };
 
 /// Returns the number of values per cell that `surface` needs: the size of `cells`, or the number

@@ -16,7 +16,7 @@ namespace penumbra
 struct Surface;
 
 /// Adds the polygons and strips of `item` to `scene`, clipped by its clipping planes. Cells with
-/// invalid point ids or non-finite points and triangles without area are skipped with a warning.
+/// invalid point ids or non-finite points are skipped with a warning, triangles without area without.
 void AddSurface(const DrawItem& item, Scene& scene);
 
 /// Returns the item's points in scene coordinates, with capacity for one more.
