@@ -36,12 +36,12 @@ constexpr std::uint32_t None = std::numeric_limits<std::uint32_t>::max();
 /// A triangle of the scene.
 struct Face
 {
-  std::uint32_t Surface;
-  std::uint32_t Triangle;
   glm::dvec3 Points[3];       ///< in scene coordinates, counterclockwise in the image
   std::uint32_t Vertices[3];  ///< indices of positions, equal for equal coordinates
   glm::dvec2 Corners[3];      ///< image coordinates
   bool IsWhole = false;       ///< in front of the camera
+  bool IsFlipped = false;     ///< clockwise in the scene
+  std::uint32_t Painted = 0;  ///< index of the triangle whose colors it has
   std::uint32_t Order = None; ///< of its first polygon; None: not drawn
 };
 
@@ -129,19 +129,15 @@ private:
   /// Makes a polygon of each visible triangle.
   void FindFaces()
   {
-    const Scene& scene = this->Tracer.GetScene();
     std::uint32_t firstPosition = 0;
-    for (std::uint32_t s = 0; s < scene.Surfaces.size(); ++s)
+    for (const Surface& surface : this->Tracer.GetScene().Surfaces)
     {
-      const Surface& surface = scene.Surfaces[s];
       const std::vector<std::uint32_t> merged = MergePositions(surface, firstPosition);
       firstPosition += static_cast<std::uint32_t>(surface.Positions.size());
       for (std::uint32_t t = 0; t < surface.Triangles.size(); ++t)
       {
         Face face{};
-        face.Surface = s;
-        face.Triangle = t;
-        face.Order = None;
+        face.Painted = static_cast<std::uint32_t>(this->Faces.size());
         for (int i = 0; i < 3; ++i)
         {
           face.Points[i] = glm::dvec3(surface.Positions[surface.Triangles[t][i]]);
@@ -152,6 +148,41 @@ private:
         if (this->Colors[this->Faces.size() - 1].GetCount() > 0)
         {
           this->AddPolygon(static_cast<std::uint32_t>(this->Faces.size() - 1));
+        }
+      }
+    }
+    this->AddHiddenNeighbors();
+  }
+
+  static std::pair<std::uint32_t, std::uint32_t> MakeEdge(const Face& face, int i)
+  {
+    return std::minmax({ face.Vertices[i], face.Vertices[(i + 1) % 3] });
+  }
+
+  /// Adds hidden triangles next to visible ones of the same side, in their colors: thin visible parts
+  /// next to what hides them may lie between the samples, and would show the background.
+  void AddHiddenNeighbors()
+  {
+    std::map<std::pair<std::uint32_t, bool>, std::uint32_t> visible; // vertex and side to triangle
+    for (const FacePolygon& polygon : this->Polygons)
+    {
+      const Face& face = this->Faces[polygon.Face];
+      for (const std::uint32_t vertex : face.Vertices)
+      {
+        visible.emplace(std::make_pair(vertex, face.IsFlipped), polygon.Face);
+      }
+    }
+    for (std::uint32_t f = 0; f < this->Faces.size(); ++f)
+    {
+      Face& face = this->Faces[f];
+      for (int i = 0; i < 3 && face.IsWhole && this->Colors[f].GetCount() == 0; ++i)
+      {
+        const auto found = visible.find({ face.Vertices[i], face.IsFlipped });
+        if (found != visible.end())
+        {
+          face.Painted = found->second;
+          this->AddPolygon(f);
+          break;
         }
       }
     }
@@ -175,7 +206,8 @@ private:
       }
       return Cross(face.Corners[1] - face.Corners[0], face.Corners[2] - face.Corners[0]);
     };
-    if (project() < 0.0)
+    face.IsFlipped = project() < 0.0;
+    if (face.IsFlipped)
     {
       std::swap(face.Points[1], face.Points[2]);
       std::swap(face.Vertices[1], face.Vertices[2]);
@@ -260,10 +292,7 @@ private:
       const Face& face = this->Faces[f];
       for (int i = 0; i < 3 && face.Order != None && face.IsWhole; ++i)
       {
-        auto key = std::minmax(face.Vertices[i], face.Vertices[(i + 1) % 3]);
-        auto& users =
-          edges.emplace(std::make_pair(key.first, key.second), std::array<std::uint32_t, 3>{})
-            .first->second;
+        auto& users = edges[MakeEdge(face, i)];
         ++users[2];
         if (users[2] <= 2)
         {
@@ -277,8 +306,7 @@ private:
       const Face& face = this->Faces[f];
       for (int i = 0; i < 3 && face.Order != None && face.IsWhole; ++i)
       {
-        auto key = std::minmax(face.Vertices[i], face.Vertices[(i + 1) % 3]);
-        const auto& users = edges[std::make_pair(key.first, key.second)];
+        const auto& users = edges[MakeEdge(face, i)];
         const std::uint32_t other = users[0] == f ? users[1] : users[0];
         // In counterclockwise triangles on both sides of an edge, it runs in opposite directions.
         if (users[2] == 2 &&
@@ -329,17 +357,14 @@ private:
     const Face& face = this->Faces[polygon.Face];
     FigurePath path;
     path.Points = polygon.Corners;
-    const double error = this->Colors[polygon.Face].Paint(path);
-    squaredError += face.Order == i ? error : 0.0;
+    const double error = this->Colors[face.Painted].Paint(path);
+    squaredError += face.Order == i && face.Painted == polygon.Face ? error : 0.0;
     if (face.IsWhole)
     {
       this->Extend(polygon, i, path);
     }
     return path;
   }
-
-  /// Returns true if all triangles around a vertex are drawn.
-  bool IsSurrounded(std::uint32_t vertex) const { return this->Fans.at(vertex).IsComplete; }
 
   /// Extends the outline of a triangle into neighbors that are drawn later.
   void Extend(const FacePolygon& polygon, std::uint32_t order, FigurePath& path) const
@@ -362,8 +387,8 @@ private:
         const double t = std::min(0.5, StripWidth / height);
         // The strip tapers to vertices that are not surrounded, because edges that are not shared
         // would be covered twice.
-        const bool atA = this->IsSurrounded(face.Vertices[i]);
-        const bool atB = this->IsSurrounded(face.Vertices[(i + 1) % 3]);
+        const bool atA = this->Fans.at(face.Vertices[i]).IsComplete;
+        const bool atB = this->Fans.at(face.Vertices[(i + 1) % 3]).IsComplete;
         if (atA)
         {
           outline.push_back(glm::mix(a, apex, t));
