@@ -10,6 +10,7 @@
 #include "Import/SceneModificationTime.h"
 #include "Media/MediumExtraction.h"
 #include "PhaseTimer.h"
+#include "Sampling/OpaqueDepths.h"
 #include "Scene.h"
 #include "SceneBounds.h"
 #include "Shading/Illumination.h"
@@ -210,6 +211,11 @@ penumbra::ExtractionOptions vtkPenumbraRayCaster::Internals::MakeExtractionOptio
     return penumbra::LightSize{ self->GetLightRadius(light), self->GetLightAngle(light) };
   };
   options.Progress = [self](double) { return ReportProgress(self, 0.0); };
+  options.FindDepths = [this, self](const auto& scene, const std::vector<glm::dvec2>& points) {
+    return this->Prepared && &scene == &this->Prepared->SceneData
+      ? penumbra::FindOpaqueDepths(*this->Prepared->Rays, points)
+      : penumbra::FindOpaqueDepths(penumbra::RayScene(scene, self->NumberOfThreads), points);
+  };
   return options;
 }
 

@@ -52,12 +52,8 @@ namespace
 /// a copy of the scene. `all` stays empty if there are none.
 void TakeAnnotations(penumbra::Scene& scene, penumbra::Scene& all, penumbra::VectorFigure& figure)
 {
-  if (scene.OverlayImage.IsDescribedByShapes())
-  {
-    figure.Shapes = scene.OverlayImage.GetShapes();
-    penumbra::ExtendRows(figure.Shapes);
-    scene.OverlayImage = penumbra::Overlay();
-  }
+  figure.Shapes = scene.OverlayImage.TakeShapes();
+  penumbra::ExtendRows(figure.Shapes);
   penumbra::CopyInstances(scene); // each visible triangle becomes a polygon of its own
   const auto first = std::stable_partition(scene.Surfaces.begin(), scene.Surfaces.end(),
     [](const penumbra::Surface& surface) { return !penumbra::HasStrokes(surface); });

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace penumbra
 {
@@ -33,12 +34,35 @@ void Overlay::Blend(int x, int y, glm::vec4 color)
   {
     return;
   }
-  if (this->Pixels.empty())
+  color = glm::clamp(color, 0.f, 1.f);
+  this->Blend(x, y, color, this->Pixels);
+  if (!this->IsDescribed)
   {
-    this->Pixels.resize(static_cast<std::size_t>(this->Width) * this->Height, glm::vec4(0.f));
+    this->Blend(x, y, color, this->Undescribed);
   }
-  glm::vec4& pixel = this->Pixels[static_cast<std::size_t>(y) * this->Width + x];
+}
+
+void Overlay::Blend(int x, int y, glm::vec4 color, std::vector<glm::vec4>& pixels) const
+{
+  if (pixels.empty())
+  {
+    pixels.resize(static_cast<std::size_t>(this->Width) * this->Height, glm::vec4(0.f));
+  }
+  glm::vec4& pixel = pixels[static_cast<std::size_t>(y) * this->Width + x];
   pixel = glm::vec4(color.a * glm::vec3(color), color.a) + (1.f - color.a) * pixel;
+}
+
+std::vector<OverlayShape> Overlay::TakeShapes()
+{
+  this->Pixels = std::move(this->Undescribed);
+  this->Undescribed.clear();
+  return std::exchange(this->Shapes, {});
+}
+
+void Overlay::AddShape(OverlayShape shape)
+{
+  shape.Color = glm::clamp(shape.Color, 0.f, 1.f);
+  this->Shapes.push_back(std::move(shape));
 }
 
 void Overlay::FillRectangle(glm::dvec2 low, glm::dvec2 high, glm::vec4 color)

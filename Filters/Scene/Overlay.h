@@ -11,7 +11,6 @@
 #include <glm/glm.hpp>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 class vtkImageData;
@@ -35,7 +34,7 @@ struct OverlayShape
   bool Italic = false;
 };
 
-/// RGBA image that is composited over the rendered image.
+/// RGBA image that is composited over the rendered image. Colors are clamped to [0, 1], as in VTK.
 class VTKPENUMBRAFILTERSSCENE_EXPORT Overlay
 {
 public:
@@ -55,13 +54,14 @@ public:
   void DrawImage(vtkImageData* image, int x, int y);
 
   /// Keeps a shape, whose pixels are drawn by the other methods.
-  void AddShape(OverlayShape shape) { this->Shapes.push_back(std::move(shape)); }
+  void AddShape(OverlayShape shape);
 
-  /// Marks that pixels are drawn which no shape describes, such as those of a texture.
-  void AddPixelsWithoutShape() { this->HasOnlyShapes = false; }
+  /// Sets whether shapes describe the pixels that are drawn next; those of a texture have none.
+  void SetDescribed(bool described) { this->IsDescribed = described; }
 
-  /// Returns true if the shapes describe all pixels.
-  bool IsDescribedByShapes() const { return this->HasOnlyShapes; }
+  /// Removes the shapes, the text and the polygons in the order of drawing, and all pixels that they
+  /// describe.
+  std::vector<OverlayShape> TakeShapes();
 
   /// Returns the text and the polygons in the order of drawing.
   const std::vector<OverlayShape>& GetShapes() const { return this->Shapes; }
@@ -71,12 +71,14 @@ public:
 
 private:
   void Blend(int x, int y, glm::vec4 color);
+  void Blend(int x, int y, glm::vec4 color, std::vector<glm::vec4>& pixels) const;
 
   int Width = 0;
   int Height = 0;
-  std::vector<glm::vec4> Pixels; ///< premultiplied alpha; empty until something is drawn
+  std::vector<glm::vec4> Pixels;      ///< premultiplied alpha; empty until something is drawn
+  std::vector<glm::vec4> Undescribed; ///< the same without the pixels of shapes
   std::vector<OverlayShape> Shapes;
-  bool HasOnlyShapes = true;
+  bool IsDescribed = true;
 };
 
 }

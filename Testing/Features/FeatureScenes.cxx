@@ -492,5 +492,7 @@ std::vector<FeatureScene> MakeFeatureScenes()
   AddRendererScenes(list.Scenes);
   AddOtherProps(list);
   AddCoincident(list);
+  AddEdges(list);
+  AddVisiblePoints(list);
   return list.Scenes;
 }

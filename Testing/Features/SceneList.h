@@ -34,4 +34,10 @@ void AddOtherProps(SceneList& add);
 /// Adds the scenes of coincident surfaces, lines and points.
 void AddCoincident(SceneList& add);
 
+/// Adds scenes of edges, which have the opacity and the visible sides of their faces.
+void AddEdges(SceneList& add);
+
+/// Adds scenes of labels of visible points.
+void AddVisiblePoints(SceneList& add);
+
 #endif

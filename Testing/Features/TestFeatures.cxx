@@ -119,7 +119,8 @@ void Render(const FeatureScene& scene, Images& images)
   // VTK changes objects of the scene when it renders; these rows do not need that. Others, such as
   // 2-D actors, are complete after the first rendering.
   const std::set<Feature> castFirst = { Feature::BackgroundImage, Feature::AxesActors,
-    Feature::CubeAxes, Feature::BillboardText, Feature::Text3D, Feature::Textures };
+    Feature::CubeAxes, Feature::BillboardText, Feature::Text3D, Feature::Textures,
+    Feature::VisiblePoints };
   if (!castFirst.count(scene.Key))
   {
     window->Render();
@@ -155,6 +156,7 @@ void Render(const FeatureScene& scene, Images& images)
     }
   }
   window->Render();
+  window->Render(); // VTK places labels only in windows that have rendered
   window->GetPixelData(0, 0, Size - 1, Size - 1, 0, images.Raster);
   Compare(images);
 }

@@ -5,12 +5,15 @@
 #include "FeatureProps.h"
 
 #include "vtkActor.h"
+#include "vtkActor2D.h"
+#include "vtkAppendPolyData.h"
 #include "vtkAxisActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkImageData.h"
 #include "vtkImageMapper3D.h"
 #include "vtkImageSlice.h"
+#include "vtkLabeledDataMapper.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointGaussianMapper.h"
@@ -20,6 +23,7 @@
 #include "vtkRenderPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSelectVisiblePoints.h"
 #include "vtkSelection.h"
 #include "vtkShaderProperty.h"
 #include "vtkSkybox.h"
@@ -141,6 +145,18 @@ void AddPropScenes(std::vector<WarningScene>& scenes)
     vtkNew<vtkImageSlice> slice;
     slice->SetMapper(mapper);
     renderer->AddViewProp(slice);
+  });
+  add(Feature::FilteredVisiblePoints, "vtkActor2D", [](vtkRenderer* renderer) {
+    vtkNew<vtkSelectVisiblePoints> visible;
+    visible->SetInputData(MakeCube());
+    visible->SetRenderer(renderer);
+    vtkNew<vtkAppendPolyData> between;
+    between->SetInputConnection(visible->GetOutputPort());
+    vtkNew<vtkLabeledDataMapper> mapper;
+    mapper->SetInputConnection(between->GetOutputPort());
+    vtkNew<vtkActor2D> labels;
+    labels->SetMapper(mapper);
+    renderer->AddViewProp(labels);
   });
   add(Feature::AxisActors, "vtkAxisActor",
     [](vtkRenderer* renderer) { renderer->AddActor(vtkNew<vtkAxisActor>()); });

@@ -5,8 +5,10 @@
 #ifndef penumbra_EdgeBlending_h
 #define penumbra_EdgeBlending_h
 
+#include "Camera.h"
 #include "Embree/RayScene.h"
 #include "Shading/Shading.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,10 +5,14 @@
 #include "RasterizedFigure.h"
 
 #include "vtkActor.h"
+#include "vtkActor2D.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
+#include "vtkCornerAnnotation.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkImageMapper.h"
 #include "vtkLineSource.h"
 #include "vtkLookupTable.h"
 #include "vtkPlaneSource.h"
@@ -18,8 +22,10 @@
 #include "vtkScalarBarActor.h"
 #include "vtkSphereSource.h"
 #include "vtkTextActor.h"
+#include "vtkTextMapper.h"
 #include "vtkTextProperty.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <limits>
@@ -235,6 +241,49 @@ TEST_F(VectorExporter, WritesTextThatCanBeSelected)
   EXPECT_NE(text.find("second line"), std::string::npos) << text;
   EXPECT_NE(text.find("caf\xc3\xa9 \xe2\x88\x92 5 \xce\xbcm"), std::string::npos) << text;
   EXPECT_NE(ReadText(path).find("/BaseFont /Times-Bold"), std::string::npos);
+}
+
+// All text is text, also that of props which VTK draws with textures, and over an image.
+TEST_F(VectorExporter, WritesTextOfAnnotationsOverTextures)
+{
+  this->AddText("title", 60, 120);
+  vtkNew<vtkTextMapper> mapper;
+  mapper->SetInput("mapped");
+  vtkNew<vtkActor2D> mapped;
+  mapped->SetMapper(mapper);
+  mapped->SetPosition(20, 60);
+  this->Renderer->AddViewProp(mapped);
+  vtkNew<vtkCornerAnnotation> corner;
+  corner->SetText(1, "corner");
+  this->Renderer->AddViewProp(corner);
+  const std::string without = this->Exporter->Encode(vtkPenumbraVectorExporter::SVG);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(10, 10, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  std::fill_n(static_cast<unsigned char*>(image->GetScalarPointer()), 100, 255);
+  vtkNew<vtkImageMapper> pixels;
+  pixels->SetInputData(image);
+  pixels->SetColorWindow(255.0);
+  pixels->SetColorLevel(127.5);
+  vtkNew<vtkActor2D> texture;
+  texture->SetMapper(pixels);
+  texture->SetPosition(100, 20);
+  this->Renderer->AddViewProp(texture);
+  this->Exporter->SetMaximumPaths(1000);
+  const std::string with = this->Exporter->Encode(vtkPenumbraVectorExporter::SVG);
+  EXPECT_NE(this->Exporter->GetImageReason().find("texture"), std::string::npos);
+  for (const std::string& svg : { without, with })
+  {
+    for (const char* text : { ">title</text>", ">mapped</text>", ">corner</text>" })
+    {
+      EXPECT_NE(svg.find(text), std::string::npos) << text;
+    }
+  }
+  EXPECT_EQ(this->GetStatistic("Vector/Texts"), 3.0);
+  // The image shows the texture, but no text.
+  this->Renderer->SetBackground(0.0, 0.0, 0.0);
+  const auto figure = Rasterize(this->Exporter, this->Folder, "svg");
+  EXPECT_EQ(figure->GetScalarComponentAsDouble(105, 25, 0, 0), 255.0);
 }
 
 // The fonts of the machine differ from VTK's in the shapes of letters. VTK rounds the distances of letters

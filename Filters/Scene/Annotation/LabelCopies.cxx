@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LabelCopies.h"
 
+#include "OverlayRecorder.h"
+
 #include "vtkCoordinate.h"
 #include "vtkLabelPlacementMapper.h"
 #include "vtkLabeledDataMapper.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPointSetToLabelHierarchy.h"
+#include "vtkPolyData.h"
+#include "vtkSelectVisiblePoints.h"
 #include "vtkTextProperty.h"
 #include "vtkTransform.h"
 
@@ -14,11 +19,77 @@ namespace penumbra
 namespace
 {
 
+vtkSmartPointer<vtkPointSetToLabelHierarchy> Copy(vtkPointSetToLabelHierarchy* from)
+{
+  auto to = vtkSmartPointer<vtkPointSetToLabelHierarchy>::New();
+  to->SetTargetLabelCount(from->GetTargetLabelCount());
+  to->SetMaximumDepth(from->GetMaximumDepth());
+  to->SetLabelArrayName(from->GetLabelArrayName());
+  to->SetSizeArrayName(from->GetSizeArrayName());
+  to->SetPriorityArrayName(from->GetPriorityArrayName());
+  to->SetIconIndexArrayName(from->GetIconIndexArrayName());
+  to->SetOrientationArrayName(from->GetOrientationArrayName());
+  to->SetBoundedSizeArrayName(from->GetBoundedSizeArrayName());
+  to->SetTextProperty(from->GetTextProperty());
+  return to;
+}
+
+/// Returns the points that a filter of visible points selects in the image, or null if `producer` is
+/// another filter.
+vtkSmartPointer<vtkPolyData> FindVisiblePoints(vtkAlgorithm* producer)
+{
+  auto* filter = vtkSelectVisiblePoints::SafeDownCast(producer);
+  const OverlayRecorder* recorder = OverlayRecorder::GetCurrent();
+  return filter && recorder && recorder->SelectPoints ? recorder->SelectPoints(filter) : nullptr;
+}
+
+/// Returns true if a filter or one before it selects visible points.
+bool SelectsVisiblePoints(vtkAlgorithm* filter)
+{
+  if (vtkSelectVisiblePoints::SafeDownCast(filter))
+  {
+    return true;
+  }
+  for (int port = 0; filter && port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
+    {
+      if (SelectsVisiblePoints(filter->GetInputAlgorithm(port, i)))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Copies the inputs. Those of vtkSelectVisiblePoints, which needs a window, are selected here.
 void CopyInputs(vtkMapper2D* from, vtkMapper2D* to)
 {
   for (int i = 0; i < from->GetNumberOfInputConnections(0); ++i)
   {
+    vtkAlgorithm* producer = from->GetInputAlgorithm(0, i);
+    if (vtkSmartPointer<vtkPolyData> points = FindVisiblePoints(producer))
+    {
+      to->AddInputDataObject(0, points);
+      continue;
+    }
+    auto* hierarchy = vtkPointSetToLabelHierarchy::SafeDownCast(producer);
+    if (hierarchy && hierarchy->GetNumberOfInputConnections(0) > 0)
+    {
+      if (vtkSmartPointer<vtkPolyData> points = FindVisiblePoints(hierarchy->GetInputAlgorithm()))
+      {
+        vtkSmartPointer<vtkPointSetToLabelHierarchy> copy = Copy(hierarchy);
+        copy->SetInputData(points);
+        to->AddInputConnection(0, copy->GetOutputPort());
+        continue;
+      }
+    }
     to->AddInputConnection(0, from->GetInputConnection(0, i));
+    if (OverlayRecorder* recorder = OverlayRecorder::GetCurrent())
+    {
+      recorder->NeedsWindow |= SelectsVisiblePoints(producer);
+    }
   }
   to->SetClippingPlanes(from->GetClippingPlanes());
 }

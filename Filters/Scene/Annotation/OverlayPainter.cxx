@@ -100,10 +100,10 @@ void FillLine(glm::dvec2 from, glm::dvec2 to, double width, glm::vec4 color, Ove
   }
 }
 
-void FillShadedPolygon(
-  const std::vector<OverlayVertex>& corners, const OverlayTexels* texels, Overlay& overlay)
+void FillShadedPolygon(const std::vector<OverlayVertex>& corners, const OverlayTexels* texels,
+  Overlay& overlay, bool isDescribed)
 {
-  overlay.AddPixelsWithoutShape();
+  overlay.SetDescribed(isDescribed);
   for (std::size_t i = 2; i < corners.size(); ++i)
   {
     const OverlayVertex& a = corners[0];
@@ -128,6 +128,7 @@ void FillShadedPolygon(
       overlay.FillRectangle(pixel, pixel + 1.0, color);
     });
   }
+  overlay.SetDescribed(true);
 }
 
 }

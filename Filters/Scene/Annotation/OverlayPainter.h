@@ -42,8 +42,9 @@ void FillPolygon(const std::vector<glm::dvec2>& corners, glm::vec4 color, Overla
 void FillLine(glm::dvec2 from, glm::dvec2 to, double width, glm::vec4 color, Overlay& overlay);
 
 /// Fills a convex polygon with interpolated colors, multiplied by `texels` unless that is null.
-void FillShadedPolygon(
-  const std::vector<OverlayVertex>& corners, const OverlayTexels* texels, Overlay& overlay);
+/// `isDescribed` is true if shapes of the overlay describe its pixels, as those of text.
+void FillShadedPolygon(const std::vector<OverlayVertex>& corners, const OverlayTexels* texels,
+  Overlay& overlay, bool isDescribed = false);
 
 }
 #endif

@@ -5,6 +5,7 @@
 #include "ClassReplacement.h"
 #include "LabelCopies.h"
 #include "Material.h"
+#include "OverlayText.h"
 #include "Scene.h"
 #include "SceneExtractionOverlay.h"
 
@@ -39,12 +40,6 @@ namespace
 
 /// Recorder of this thread, or null.
 thread_local OverlayRecorder* Current = nullptr;
-
-glm::dvec2 ComputeViewportPosition(vtkActor2D* actor, vtkViewport* viewport)
-{
-  const int* at = actor->GetActualPositionCoordinate()->GetComputedViewportValue(viewport);
-  return { at[0], at[1] };
-}
 
 /// Returns the perspective camera of a scene, for renderers whose camera VTK has not created yet.
 vtkSmartPointer<vtkCamera> MakeCamera(const Scene& scene)
@@ -155,6 +150,11 @@ public:
     vtkUnsignedCharArray* colors = this->MapScalars(property->GetOpacity());
     const bool perCell = this->HasCellColors(input);
     const std::vector<glm::dvec2> points = this->FindPoints(input, viewport, actor);
+    const bool isText = isTextured && Current->Text;
+    if (isText)
+    {
+      DescribeText(points.front(), *Current);
+    }
     vtkNew<vtkIdList> ids;
     for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
     {
@@ -178,7 +178,7 @@ public:
         corners.push_back(corner);
       }
       DrawCell(input->GetCellType(cell), corners, property, isTextured || (colors && !perCell),
-        isTextured ? &texels : nullptr);
+        isTextured ? &texels : nullptr, isText);
     }
   }
 
@@ -216,7 +216,7 @@ private:
   }
 
   static void DrawCell(int type, const std::vector<OverlayVertex>& corners, vtkProperty2D* property,
-    bool isShaded, const OverlayTexels* texels)
+    bool isShaded, const OverlayTexels* texels, bool isText)
   {
     Overlay& image = Current->Image;
     if (corners.empty())
@@ -250,7 +250,7 @@ private:
     }
     else if (isShaded)
     {
-      FillShadedPolygon(corners, texels, image);
+      FillShadedPolygon(corners, texels, image, isText);
     }
     else
     {
@@ -335,29 +335,6 @@ public:
 };
 vtkStandardNewMacro(OverlayImageMapper);
 
-/// Draws its text into the overlay.
-class OverlayText : public vtkTextActor
-{
-public:
-  static OverlayText* New();
-  vtkTypeMacro(OverlayText, vtkTextActor);
-
-  int RenderOverlay(vtkViewport* viewport) override
-  {
-    const char* text = this->GetInput();
-    if (Current && text && *text)
-    {
-      Current->HasText = DrawText(text, this->GetTextProperty(),
-                           ComputeViewportPosition(this, viewport), Current->DPI, Current->Image) &&
-        Current->HasText;
-    }
-    return 1;
-  }
-
-  int RenderOpaqueGeometry(vtkViewport*) override { return 0; }
-};
-vtkStandardNewMacro(OverlayText);
-
 /// Texture that tells the mapper which image to draw. It needs no graphics context.
 class OverlayTexture : public vtkTexture
 {
@@ -387,10 +364,8 @@ void ReplaceClasses()
       [] { return static_cast<vtkObject*>(Current ? OverlayMapper::New() : nullptr); });
     ReplaceClass("vtkImageMapper", "OverlayImageMapper",
       [] { return static_cast<vtkObject*>(Current ? OverlayImageMapper::New() : nullptr); });
-    ReplaceClass("vtkTextActor", "OverlayText", [] {
-      return static_cast<vtkObject*>(
-        Current && Current->SkipsTextures ? OverlayText::New() : nullptr);
-    });
+    ReplaceClass("vtkTextActor", "OverlayText", [] { return MakeTextActor(Current); });
+    ReplaceClass("vtkTextMapper", "OverlayTextMapper", [] { return MakeTextMapper(Current); });
     ReplaceClass("vtkTexture", "OverlayTexture",
       [] { return static_cast<vtkObject*>(Current ? OverlayTexture::New() : nullptr); });
     return true;
@@ -424,6 +399,12 @@ OverlayRecorder::~OverlayRecorder()
 {
   Current = nullptr;
   this->Window->RemoveRenderer(this->Layout);
+}
+
+glm::dvec2 ComputeViewportPosition(vtkActor2D* actor, vtkViewport* viewport)
+{
+  const int* at = actor->GetActualPositionCoordinate()->GetComputedViewportValue(viewport);
+  return { at[0], at[1] };
 }
 
 OverlayRecorder* OverlayRecorder::GetCurrent()

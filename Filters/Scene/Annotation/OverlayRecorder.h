@@ -13,10 +13,15 @@
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
+#include <functional>
+
 class vtkActor2D;
 class vtkImageMapper;
 class vtkMapper2D;
+class vtkPolyData;
 class vtkPolyDataMapper2D;
+class vtkSelectVisiblePoints;
+class vtkTextProperty;
 class vtkTexture;
 
 namespace penumbra
@@ -24,6 +29,9 @@ namespace penumbra
 
 class Overlay;
 struct Scene;
+
+/// Returns the position of an actor in pixels, rounded as VTK does.
+glm::dvec2 ComputeViewportPosition(vtkActor2D* actor, vtkViewport* viewport);
 
 /// Draws the 2-D props that are created and rendered during its life into an overlay. At most one
 /// exists in a thread at a time.
@@ -51,6 +59,12 @@ public:
   const bool SkipsTextures;
   bool HasText = true;                  ///< false if VTK could not render some text
   vtkTexture* CurrentTexture = nullptr; ///< texture of the part that is being rendered
+  /// Text whose image is the texture of the next polygons; null: none.
+  const char* Text = nullptr;
+  vtkTextProperty* TextStyle = nullptr; ///< of Text
+  /// Returns the output of a filter of label points for the image; null if it has none.
+  std::function<vtkSmartPointer<vtkPolyData>(vtkSelectVisiblePoints*)> SelectPoints;
+  bool NeedsWindow = false; ///< true if label points depend on the last image of the window
 
   /// Returns the recorder of this thread, or null.
   static OverlayRecorder* GetCurrent();

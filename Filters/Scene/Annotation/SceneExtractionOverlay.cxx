@@ -54,62 +54,6 @@ std::vector<std::string> SplitLines(const std::string& text)
   return lines;
 }
 
-/// Adds the background of text and its lines as shapes.
-void AddTextShapes(const std::string& text, vtkTextProperty* property, glm::dvec2 anchor, int dpi,
-  vtkTextRenderer* renderer, Overlay& overlay)
-{
-  vtkTextRenderer::Metrics metrics;
-  if (!renderer->GetMetrics(property, text, metrics, dpi))
-  {
-    return;
-  }
-  const double angle = property->GetOrientation() * vtkMath::Pi() / 180.0;
-  const glm::dvec2 along(std::cos(angle), std::sin(angle));
-  const glm::dvec2 up(-along.y, along.x);
-  // The corners of the metrics are pixels of the text.
-  const auto size = [](const vtkTextRenderer::Metrics& m) {
-    return glm::dvec2(glm::length(ToVector(m.TopRight) - ToVector(m.TopLeft)) + 1.0,
-      glm::length(ToVector(m.TopLeft) - ToVector(m.BottomLeft)) + 1.0);
-  };
-  const glm::dvec2 whole = size(metrics);
-  const glm::dvec2 low = anchor + ToVector(metrics.BottomLeft) + 0.5 - 0.5 * (along + up);
-  OverlayShape shape;
-  if (property->GetBackgroundOpacity() > 0.0)
-  {
-    const double* color = property->GetBackgroundColor();
-    shape.Corners = { low, low + whole.x * along, low + whole.x * along + whole.y * up,
-      low + whole.y * up };
-    shape.Color = glm::vec4(color[0], color[1], color[2], property->GetBackgroundOpacity());
-    overlay.AddShape(shape);
-  }
-  const double* color = property->GetColor();
-  shape.Corners.clear();
-  shape.Color = glm::vec4(color[0], color[1], color[2], property->GetOpacity());
-  shape.Angle = property->GetOrientation();
-  shape.FontSize = property->GetFontSize() * dpi / 72.0;
-  shape.FontFamily = property->GetFontFamilyAsString();
-  const bool file = property->GetFontFamily() == VTK_FONT_FILE && property->GetFontFile();
-  shape.FontFile = file ? property->GetFontFile() : "";
-  shape.Bold = property->GetBold() != 0;
-  shape.Italic = property->GetItalic() != 0;
-  const std::vector<std::string> lines = SplitLines(text);
-  const double lineHeight = whole.y / static_cast<double>(lines.size());
-  const double descent = glm::length(ToVector(metrics.Descent)) + 1.0;
-  for (std::size_t i = 0; i < lines.size(); ++i)
-  {
-    vtkTextRenderer::Metrics line;
-    if (lines[i].empty() || !renderer->GetMetrics(property, lines[i], line, dpi))
-    {
-      continue;
-    }
-    const double indent = 0.5 * property->GetJustification() * (whole.x - size(line).x);
-    const double height = static_cast<double>(lines.size() - 1 - i) * lineHeight + descent;
-    shape.Text = lines[i];
-    shape.Baseline = low + indent * along + height * up;
-    overlay.AddShape(shape);
-  }
-}
-
 bool DrawTextActor(vtkTextActor* actor, int dpi, Scene& scene)
 {
   const char* text = actor->GetInput();
@@ -171,9 +115,14 @@ bool DrawAxesLabels(vtkAxesActor* axes, int dpi, Scene& scene)
 }
 
 /// Draws other 2-D props: a copy renders into the overlay.
-void DrawAnnotation(vtkProp* prop, vtkRenderer* renderer, int dpi, Scene& scene)
+void DrawAnnotation(
+  vtkProp* prop, vtkRenderer* renderer, int dpi, const DepthQuery& findDepths, Scene& scene)
 {
   OverlayRecorder recorder(renderer, dpi, scene);
+  recorder.SelectPoints = [&](vtkSelectVisiblePoints* filter) {
+    return SelectVisiblePoints(
+      filter, recorder.GetViewport()->GetActiveCamera(), scene, findDepths);
+  };
   vtkSmartPointer<vtkProp> copy = CopyAnnotation(prop);
   auto* actor = vtkActor2D::SafeDownCast(copy);
   if (!copy || (actor && actor->GetProperty()->GetDisplayLocation() == VTK_BACKGROUND_LOCATION))
@@ -182,6 +131,10 @@ void DrawAnnotation(vtkProp* prop, vtkRenderer* renderer, int dpi, Scene& scene)
     return;
   }
   recorder.Render(copy);
+  if (recorder.NeedsWindow)
+  {
+    WarnFeature(Feature::FilteredVisiblePoints, prop->GetClassName(), scene.Warnings);
+  }
 }
 
 }
@@ -215,6 +168,61 @@ glm::dvec2 ComputePixelPosition(vtkCoordinate* coordinate, const Scene& scene)
   return reference ? position + ComputePixelPosition(reference, scene) : position;
 }
 
+void AddTextShapes(const std::string& text, vtkTextProperty* property, glm::dvec2 anchor, int dpi,
+  vtkTextRenderer* renderer, Overlay& overlay)
+{
+  vtkTextRenderer::Metrics metrics;
+  if (!renderer->GetMetrics(property, text, metrics, dpi))
+  {
+    return;
+  }
+  const double angle = property->GetOrientation() * vtkMath::Pi() / 180.0;
+  const glm::dvec2 along(std::cos(angle), std::sin(angle));
+  const glm::dvec2 up(-along.y, along.x);
+  // The corners of the metrics are pixels of the text.
+  const auto size = [](const vtkTextRenderer::Metrics& m) {
+    return glm::dvec2(glm::length(ToVector(m.TopRight) - ToVector(m.TopLeft)) + 1.0,
+      glm::length(ToVector(m.TopLeft) - ToVector(m.BottomLeft)) + 1.0);
+  };
+  const glm::dvec2 whole = size(metrics);
+  const glm::dvec2 low = anchor + ToVector(metrics.BottomLeft) + 0.5 - 0.5 * (along + up);
+  OverlayShape shape;
+  if (property->GetBackgroundOpacity() > 0.0)
+  {
+    const double* color = property->GetBackgroundColor();
+    shape.Corners = { low, low + whole.x * along, low + whole.x * along + whole.y * up,
+      low + whole.y * up };
+    shape.Color = glm::vec4(color[0], color[1], color[2], property->GetBackgroundOpacity());
+    overlay.AddShape(shape);
+  }
+  const double* color = property->GetColor();
+  shape.Corners.clear();
+  shape.Color = glm::vec4(color[0], color[1], color[2], property->GetOpacity());
+  shape.Angle = property->GetOrientation();
+  shape.FontSize = property->GetFontSize() * dpi / 72.0;
+  shape.FontFamily = property->GetFontFamilyAsString();
+  const bool file = property->GetFontFamily() == VTK_FONT_FILE && property->GetFontFile();
+  shape.FontFile = file ? property->GetFontFile() : "";
+  shape.Bold = property->GetBold() != 0;
+  shape.Italic = property->GetItalic() != 0;
+  const std::vector<std::string> lines = SplitLines(text);
+  const double lineHeight = whole.y / static_cast<double>(lines.size());
+  const double descent = glm::length(ToVector(metrics.Descent)) + 1.0;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    vtkTextRenderer::Metrics line;
+    if (lines[i].empty() || !renderer->GetMetrics(property, lines[i], line, dpi))
+    {
+      continue;
+    }
+    const double indent = 0.5 * property->GetJustification() * (whole.x - size(line).x);
+    const double height = static_cast<double>(lines.size() - 1 - i) * lineHeight + descent;
+    shape.Text = lines[i];
+    shape.Baseline = low + indent * along + height * up;
+    overlay.AddShape(shape);
+  }
+}
+
 bool DrawText(
   const std::string& text, vtkTextProperty* property, glm::dvec2 anchor, int dpi, Overlay& overlay)
 {
@@ -233,7 +241,7 @@ bool DrawText(
   return true;
 }
 
-void ExtractOverlay(vtkRenderer* renderer, int dpi, Scene& scene)
+void ExtractOverlay(vtkRenderer* renderer, int dpi, const DepthQuery& findDepths, Scene& scene)
 {
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator position;
@@ -259,7 +267,7 @@ void ExtractOverlay(vtkRenderer* renderer, int dpi, Scene& scene)
     }
     else if (IsOverlay(prop))
     {
-      DrawAnnotation(prop, renderer, dpi, scene);
+      DrawAnnotation(prop, renderer, dpi, findDepths, scene);
     }
   }
   if (!drawn)

@@ -5,6 +5,8 @@
 #ifndef penumbra_SceneExtractionOverlay_h
 #define penumbra_SceneExtractionOverlay_h
 
+#include "VisiblePoints.h"
+
 #include <glm/glm.hpp>
 
 #include <string>
@@ -14,6 +16,7 @@ class vtkProp;
 class vtkRenderer;
 class vtkScalarBarActor;
 class vtkTextProperty;
+class vtkTextRenderer;
 
 namespace penumbra
 {
@@ -22,14 +25,19 @@ class Overlay;
 struct Scene;
 
 /// Draws the 2-D props of `renderer` into scene.OverlayImage, with a warning for each that is not
-/// supported. The camera and the overlay of `scene` must be set.
-void ExtractOverlay(vtkRenderer* renderer, int dpi, Scene& scene);
+/// supported. The camera, the surfaces and the overlay of `scene` must be set. `findDepths` finds the
+/// visible points of labels.
+void ExtractOverlay(vtkRenderer* renderer, int dpi, const DepthQuery& findDepths, Scene& scene);
 
 /// Returns true if ExtractOverlay() draws this prop or warns about it.
 bool IsOverlay(vtkProp* prop);
 
 /// Returns the position of a coordinate in pixels.
 glm::dvec2 ComputePixelPosition(vtkCoordinate* coordinate, const Scene& scene);
+
+/// Adds shapes of the background of text and of its lines, whose pixels are drawn by others.
+void AddTextShapes(const std::string& text, vtkTextProperty* property, glm::dvec2 anchor, int dpi,
+  vtkTextRenderer* renderer, Overlay& overlay);
 
 /// Draws text at `anchor` with the justification of `property`. Returns false if VTK cannot render
 /// text.

@@ -82,6 +82,8 @@ enum class Feature
   PropFollowers,
   Actors2D,
   Labels,
+  VisiblePoints,
+  FilteredVisiblePoints,
   Captions,
   Legends,
   Axes2D,

@@ -261,7 +261,7 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
       "The transform of the camera does not distort billboards, cube axes, "
       "shadows and ambient occlusion. Use a rigid transform.");
   }
-  ExtractOverlay(renderer, options.DPI, scene);
+  ExtractOverlay(renderer, options.DPI, options.FindDepths, scene);
   scene.Warnings = MergeWarnings(scene.Warnings);
   return scene;
 }
@@ -288,12 +288,13 @@ bool UpdateView(vtkRenderer* renderer, const ExtractionOptions& options, Scene& 
   {
     return false;
   }
-  ExtractOverlay(renderer, options.DPI, next);
   scene.ViewCamera = next.ViewCamera;
   scene.Lights = std::move(next.Lights);
   scene.BackgroundColors = std::move(next.BackgroundColors);
   scene.OverlayImage = std::move(next.OverlayImage);
-  scene.Warnings = MergeWarnings(next.Warnings);
+  scene.Warnings = std::move(next.Warnings);
+  ExtractOverlay(renderer, options.DPI, options.FindDepths, scene);
+  scene.Warnings = MergeWarnings(scene.Warnings);
   return true;
 }
 

@@ -6,6 +6,7 @@
 #ifndef penumbra_SceneExtraction_h
 #define penumbra_SceneExtraction_h
 
+#include "Annotation/VisiblePoints.h"
 #include "Execution/ParallelFor.h"
 #include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
 
@@ -39,6 +40,7 @@ struct ExtractionOptions
   double PointRadius = 0.0;     ///< world units: points are spheres; 0: as their property requests
   double LineRadius = 0.0;      ///< world units: lines are tubes; 0: as their property requests
   std::function<LightSize(vtkLight*)> GetLightSize; ///< if empty, lights have no size
+  DepthQuery FindDepths;     ///< for labels of visible points; if empty, all points are visible
   ProgressCallback Progress; ///< on a stop request, ExtractScene() throws Stopped
 };
 

@@ -3,6 +3,7 @@
 #include "LineMaterials.h"
 
 #include "SceneExtractionItem.h"
+#include "Surface.h"
 
 #include "vtkProperty.h"
 

@@ -5,12 +5,14 @@
 #ifndef penumbra_LineMaterials_h
 #define penumbra_LineMaterials_h
 
-#include "Surface.h"
+#include "Material.h"
 
 class vtkProperty;
 
 namespace penumbra
 {
+
+struct Surface;
 
 double FindEdgeWidth(vtkProperty* property);
 double FindEdgeOpacity(vtkProperty* property);

@@ -65,6 +65,21 @@ glm::vec4 ComputeMaximum(const Overlay& overlay, glm::ivec2 low, glm::ivec2 high
 
 }
 
+// As colors of a framebuffer: text on a background of (255, 255, 255) was nearly invisible.
+TEST(Overlay, ClampsColors)
+{
+  Overlay overlay(2, 1);
+  overlay.FillRectangle({ 0.0, 0.0 }, { 2.0, 1.0 }, glm::vec4(255.f, 255.f, -1.f, 1.f));
+  overlay.FillRectangle({ 0.0, 0.0 }, { 1.0, 1.0 }, glm::vec4(0.f, 0.f, 0.f, 0.75f));
+  OverlayShape shape;
+  shape.Color = glm::vec4(255.f, 0.5f, -1.f, 1.f);
+  overlay.AddShape(shape);
+  const std::vector<glm::vec4> colors = Composite(overlay);
+  EXPECT_EQ(colors[0], glm::vec4(0.25f, 0.25f, 0.f, 1.f));
+  EXPECT_EQ(colors[1], glm::vec4(1.f, 1.f, 0.f, 1.f));
+  EXPECT_EQ(overlay.GetShapes()[0].Color, glm::vec4(1.f, 0.5f, 0.f, 1.f));
+}
+
 TEST(Overlay, FillsRectanglesWithExactCoverage)
 {
   Overlay overlay(4, 3);
