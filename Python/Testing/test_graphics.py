@@ -7,6 +7,7 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
+import penumbra
 import pyvista
 from test_pyvista import plane, scene
 
@@ -55,6 +56,18 @@ class SaveGraphic(unittest.TestCase):
             data = file.read()
         self.assertTrue(data.startswith(b"%PDF"))
         self.assertIsNotNone(re.search(rb"MediaBox \[0 0 160 120\]", data))
+
+    def test_warns_of_an_image_and_keeps_text(self):
+        plotter = scene()
+        plotter.add_mesh(pyvista.Sphere(radius=0.2), opacity=0.5, label="half")
+        plotter.add_text("corner", position="upper_left", font_size=8)
+        plotter.add_legend(size=(0.4, 0.3), face=None)
+        plotter.add_point_labels([(0.0, 0.0, 0.5)], ["label"], font_size=10)
+        with self.assertWarnsRegex(penumbra.PenumbraWarning, "an image of 288 dpi.*: the scene contains translucent"):
+            figure = self.svg(plotter)
+        self.assertEqual([image.get("width") for image in figure.iter(SVG + "image")], ["640"])
+        texts = {text.text for text in figure.iter(SVG + "text")}
+        self.assertLessEqual({"corner", "half", "label"}, texts)
 
     def test_is_relative_to_the_figure_path_of_pyvista(self):
         figures, pyvista.FIGURE_PATH = pyvista.FIGURE_PATH, self.folder

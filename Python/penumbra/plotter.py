@@ -15,12 +15,13 @@ from ._classes import vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass
 from .baking import ColorLike, Falloff
 from .conversion import check_choice, check_integer, check_radius, check_range, check_size
 from .graphics import check_options, check_path, write_graphic
-from .messages import Progress, observe_warnings
+from .messages import Progress, observe_warnings, warn
 from .opengl import require_opengl
 from .passes import add, passes_of, remove
 from .rendering import Image, Settings, cast_renderers, finish, prepare_plotter
 
 PHASES = ("isotropic", "rayleigh", "henyey-greenstein")
+IMAGE_SCALE = 4  # pixels per point of an image in a figure
 ESTIMATORS = {"depth": "DEPTH", "shadow-map": "SHADOW_MAP"}
 
 
@@ -335,9 +336,8 @@ class PlotterAccessor:
         """Write a figure in vector graphics: SVG or PDF, with exact visibility and text that can be selected.
 
         A replacement of ``plotter.save_graphic``. Surfaces are visible triangles, or the ray-cast image if triangles
-        cannot show them, as with shadows, textures, spheres or opacity. Text of ``add_text`` is text if its position
-        is a point, and part of the image in a corner. One pixel of the window is one point, 1/72 inch. Does not need a
-        window or OpenGL.
+        cannot show them, as with shadows, textures, spheres or opacity, with a warning that says why. Text is text in
+        both cases. One pixel of the window is one point, 1/72 inch. Does not need a window or OpenGL.
 
         Parameters
         ----------
@@ -355,7 +355,8 @@ class PlotterAccessor:
         window_size : tuple of int, optional
             Width and height in points. Default: the size of the plotter's window.
         scale : int, optional
-            Pixels per point of the ray-cast image. Range: 1 to 64. Default: ``plotter.image_scale``.
+            Pixels per point of the ray-cast image. Range: 1 to 64. Default: ``plotter.image_scale``, and at least 4, 288
+            dpi, if the surfaces are an image.
         return_statistics : bool
             If True, return a dictionary of counts such as ``Vector/Faces``; ``Vector/ImageReason`` is the reason why
             the surfaces are an image, or empty.
@@ -376,6 +377,11 @@ class PlotterAccessor:
             If the plotter is closed, if the rendering fails, or if a font lacks a character of a text in PDF.
         OSError
             If the file cannot be written.
+
+        Warns
+        -----
+        PenumbraWarning
+            If the surfaces are an image although paths were asked for.
         """
         path = check_path(_in_figure_path(filename))
         check_options(options)
@@ -384,13 +390,23 @@ class PlotterAccessor:
             raise RuntimeError("the plotter is closed: call save_graphic() before close() or show()")
         if transparent_background is None:
             transparent_background = bool(self._plotter.theme.transparent_background)
-        scale = self._scale(scale)
-        settings = Settings(transparent_background=transparent_background, dpi=72 * scale, **options)
         width, height = self._size(window_size)
         prepare_plotter(self._plotter)
-        statistics = write_graphic(
-            window, path, (scale * width, scale * height), settings, outline_width, outline_color, maximum_paths,
-            progress)
+
+        def write(pixels_per_point: int, callback: Progress | None) -> dict[str, Any]:
+            settings = Settings(transparent_background=transparent_background, dpi=72 * pixels_per_point, **options)
+            return write_graphic(window, path, (pixels_per_point * width, pixels_per_point * height), settings,
+                                 outline_width, outline_color, maximum_paths, callback)
+
+        pixels_per_point = self._scale(scale)
+        statistics = write(pixels_per_point, progress)
+        if statistics["Vector/ImageReason"]:
+            if scale is None and pixels_per_point < IMAGE_SCALE:
+                pixels_per_point = IMAGE_SCALE
+                statistics = write(pixels_per_point, None)
+            if maximum_paths > 0:
+                warn(f"the surfaces are an image of {72 * pixels_per_point} dpi, under text and lines that are vector "
+                     f"graphics: {statistics['Vector/ImageReason']}. maximum_paths=0 asks for an image")
         return statistics if return_statistics else None
 
 
