@@ -33,7 +33,7 @@ std::vector<double> FindOpaqueDepths(const RayScene& rays, const std::vector<glm
     Hit hit = rays.Intersect(ray);
     while (hit.IsHit() && !hides[hit.Surface])
     {
-      ray.Near = hit.NextNear;
+      ray = ContinueBehind(ray, hit);
       hit = rays.Intersect(ray);
     }
     depths.push_back(hit.IsHit() ? camera.DepthOfRayOrigins() + hit.Distance

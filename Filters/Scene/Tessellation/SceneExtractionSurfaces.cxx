@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionSurfaces.h"
 
-#include "PolygonTriangulation.h"
+#include "Geometry/PolygonTriangulation.h"
 #include "Scene.h"
 #include "SceneExtractionClipping.h"
 #include "Surface.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Tessellation/PolygonTriangulation.h"
+#include "Geometry/PolygonTriangulation.h"
 
 #include <gtest/gtest.h>
 
