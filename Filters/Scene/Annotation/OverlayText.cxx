@@ -6,6 +6,7 @@
 #include "SceneExtractionOverlay.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkStdString.h" // the type of text in VTK 9.2
 #include "vtkTextActor.h"
 #include "vtkTextMapper.h"
 #include "vtkTextProperty.h"
