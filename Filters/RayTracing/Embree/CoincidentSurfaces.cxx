@@ -104,11 +104,18 @@ float CandidateHits::Add(const CandidateHit& hit, float tolerance)
     this->Hits[this->Count++] = hit;
     return nearest;
   }
-  CandidateHit* const farthest = std::max_element(this->Hits, this->Hits + Capacity,
-    [](const CandidateHit& a, const CandidateHit& b) { return a.Distance < b.Distance; });
-  if (hit.Distance < farthest->Distance)
+  // Rays through a vertex hit many triangles of each surface, of which one is enough.
+  const auto isRepeated = [&](const CandidateHit& other) {
+    const auto isOfSame = [&](const CandidateHit& each) { return each.Surface == other.Surface; };
+    return std::count_if(this->Hits, this->Hits + Capacity, isOfSame) + isOfSame(hit) > 1;
+  };
+  const auto isKeptRather = [&](const CandidateHit& a, const CandidateHit& b) {
+    return std::make_pair(isRepeated(a), a.Distance) < std::make_pair(isRepeated(b), b.Distance);
+  };
+  CandidateHit* const last = std::max_element(this->Hits, this->Hits + Capacity, isKeptRather);
+  if (isKeptRather(hit, *last))
   {
-    *farthest = hit;
+    *last = hit;
   }
   return nearest;
 }

@@ -38,7 +38,8 @@ struct CandidateHits
   float Far = 0.f; ///< Ray::Far
 
   /// Adds `hit` and removes hits farther than `tolerance` behind the nearest one. If the capacity
-  /// is exceeded, the farthest hit is dropped. Returns the distance of the nearest hit.
+  /// is exceeded, the farthest hit of the surfaces that have several is dropped, or else the
+  /// farthest one. Returns the distance of the nearest hit.
   float Add(const CandidateHit& hit, float tolerance);
 };
 

@@ -101,8 +101,8 @@ TEST(CoincidentSurfaces, AreInTheOrderInWhichVTKDrawsThem)
   EXPECT_EQ(FindLayers(scene), (Layers{ 3, 0, 1, 2 }));
   Surface nearPane = pane;
   nearPane.DepthRank = -1.f;
-  scene.Surfaces = { pane, first, pane, nearPane };
-  EXPECT_EQ(FindLayers(scene), (Layers{ 3, 2, 1 })); // translucent ones of one offset once
+  scene.Surfaces = { pane, first, pane, nearPane, second };
+  EXPECT_EQ(FindLayers(scene), (Layers{ 3, 2, 4, 1 })); // translucent ones of one offset once
 }
 
 TEST(CoincidentSurfaces, DoNotHideSurfacesBehindThem)
