@@ -55,8 +55,16 @@ AnimatedScene ReadScene(const RenderOptions& options, const StepInput& input, bo
     scene.Actors.push_back(static_cast<int>(more.size()));
   }
   EnterPhase("rendering " + options.Output, Unavailable);
-  scene.Renderer =
-    BuildScene(meshes, options, options.Engine == "ray" ? 1.0 : options.DotsPerInch / 72.0);
+  try
+  {
+    scene.Renderer =
+      BuildScene(meshes, options, options.Engine == "ray" ? 1.0 : options.DotsPerInch / 72.0);
+  }
+  catch (const CommandError& error)
+  {
+    // An array that only this step lacks.
+    throw CommandError(error.ExitStatus, options.Output + ": " + error.what());
+  }
   return scene;
 }
 

@@ -339,3 +339,20 @@ TEST(Series, MissingFileOfStepFailsOnlyItsImage)
   EXPECT_EQ(Difference(folder / "0002.png", folder / "still.png"), 0.0);
   EXPECT_FALSE(std::filesystem::exists(folder / "0000.png"));
 }
+
+TEST(Series, MissingArrayOfStepFailsOnlyItsImage)
+{
+  const Folder folder("array");
+  WriteFileSeries(folder);
+  const std::string text = ReadText(folder / "run_9.vtk");
+  WriteText(folder / "run_9.vtk", text.substr(0, text.find("POINT_DATA")));
+  const std::string output = folder / "{frame}.png";
+  const ProgramResult outcome =
+    RunProgram(View({ "animate", folder / "run.pvd", "--output", output }));
+  EXPECT_EQ(outcome.Status, 2);
+  EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+  EXPECT_NE(outcome.Errors.find("0001.png: --coloring-array"), std::string::npos) << outcome.Errors;
+  EXPECT_TRUE(std::filesystem::exists(folder / "0000.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "0001.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "0002.png"));
+}
