@@ -151,8 +151,7 @@ std::vector<SeriesFile> WriteSeries(const Folder& folder)
   } optional[] = {
     { "vtkXdmfReader", folder / "steps.xdmf" },
     { "vtkExodusIIReader", PENUMBRA_SOURCE_DIR "/Testing/CommandLine/Series/Data/steps.e" },
-#if VTK_VERSION_NUMBER >=                                                                          \
-  VTK_VERSION_CHECK(9, 3, 0) // Before, the reader reads the first step only.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) // before, only the first step is read
     { "vtkHDFReader", PENUMBRA_SOURCE_DIR "/Testing/CommandLine/Series/Data/steps.vtkhdf" },
 #endif
     { "vtkCGNSReader", PENUMBRA_SOURCE_DIR "/Testing/CommandLine/Series/Data/steps.cgns" }
