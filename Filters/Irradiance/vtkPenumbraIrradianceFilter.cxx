@@ -274,6 +274,22 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
                     << " do not belong to a surface and " << mesh.NotFinite
                     << " are not finite or have no normal. Their value is 0.");
   }
+  // Few such polygons and points are defects of scans that no one sees.
+  const double reported = MinimumReportedFraction * static_cast<double>(mesh.Sites.size());
+  if (static_cast<double>(mesh.DoubledPolygons) > reported)
+  {
+    vtkWarningMacro(
+      << mesh.DoubledPolygons
+      << " polygons have the same points as others that face the opposite side. These "
+         "points get the values of the polygons that come first. For values on both "
+         "sides, give each polygon its own points.");
+  }
+  if (static_cast<double>(mesh.TwoSided) > reported)
+  {
+    vtkWarningMacro(<< mesh.TwoSided
+                    << " points have no normal because their polygons face opposite sides. Their "
+                       "value is the mean of the values on their polygons.");
+  }
   if (this->Quantity == DIRECT_LIGHT)
   {
     mesh.OccluderScene.Lights =
@@ -400,8 +416,8 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
       static_cast<float>(estimate.Error / vtkMath::Pi()) };
   };
   const PointEstimators estimators{ bruteForce, {}, 0.f };
-  const bool done = Bake(work.Mesh.Sites, work.Mesh.Spacing, records, placement, work.Tree,
-    estimators, after, work.Baked);
+  const bool done =
+    Bake(work.Mesh, *work.Rays, records, placement, work.Tree, estimators, after, work.Baked);
   work.Baked.GatherRays = placement.GetRays() + work.Reflections->GetRays();
   return done &&
     AddSampledLight(

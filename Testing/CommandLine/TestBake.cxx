@@ -36,9 +36,11 @@ namespace
 
 const std::string Head = std::string(PENUMBRA_SOURCE_DIR) + "/Data/head.ply";
 
-void WriteSphere(const std::string& path)
+void WriteSphere(const std::string& path, int resolution = 8)
 {
   vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(resolution);
+  sphere->SetPhiResolution(resolution);
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputConnection(sphere->GetOutputPort());
   writer->SetFileName(path.c_str());
@@ -268,7 +270,7 @@ TEST(Bake, RejectsInvalidEnvironmentImages)
 TEST(Bake, GathersWithCubeMaps)
 {
   const Folder folder("bake-cube-map");
-  WriteSphere(folder / "sphere.vtp");
+  WriteSphere(folder / "sphere.vtp", 24); // enough points for records
   const ProgramResult outcome = RunProgram({ "bake", folder / "sphere.vtp", "--output",
     folder / "baked.vtp", "--gatherer", "cube-map", "--statistics", folder / "s.json" });
   if (outcome.Status == 3)

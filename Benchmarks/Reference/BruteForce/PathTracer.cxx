@@ -6,6 +6,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -163,6 +164,28 @@ std::vector<Panel> CornellLikeBox()
   AddPanels(panels, { .15, .5, 0.0 }, { .45, .8, .6 }, white);
   AddPanels(panels, { .55, .2, 0.0 }, { .85, .5, .3 }, white);
   return panels;
+}
+
+double ComputePanelOcclusion(
+  const std::vector<Panel>& panels, glm::dvec3 point, glm::dvec3 normal, double radius, int side)
+{
+  const glm::dvec3 other =
+    std::abs(normal.z) < .9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
+  const glm::dvec3 x = glm::normalize(glm::cross(other, normal));
+  const glm::dvec3 y = glm::cross(normal, x);
+  Random random(1);
+  int hits = 0;
+  for (int i = 0; i < side * side; ++i)
+  {
+    const double square = (i / side + random()) / side; // of the sine of the angle to the normal
+    const double azimuth = 2.0 * Pi * (i % side + random()) / side;
+    const glm::dvec3 direction =
+      std::sqrt(square) * (std::cos(azimuth) * x + std::sin(azimuth) * y) +
+      std::sqrt(1.0 - square) * normal;
+    hits += std::any_of(panels.begin(), panels.end(),
+      [&](const Panel& panel) { return DistanceTo(panel, point, direction) < radius; });
+  }
+  return static_cast<double>(hits) / (side * side);
 }
 
 glm::dvec3 PathTracer::Irradiance(

@@ -36,6 +36,11 @@ void AddSurfaces(Scene& scene, const std::vector<Panel>& panels);
 /// wall, an emitting panel below the ceiling, and two boxes.
 std::vector<Panel> CornellLikeBox();
 
+/// Returns the fraction of side * side cosine-distributed rays that hit a panel within `radius`,
+/// stratified over the hemisphere about the unit vector `normal`.
+double ComputePanelOcclusion(
+  const std::vector<Panel>& panels, glm::dvec3 point, glm::dvec3 normal, double radius, int side);
+
 struct PathTracer
 {
   std::vector<Panel> Panels;

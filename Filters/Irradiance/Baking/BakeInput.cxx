@@ -7,6 +7,7 @@
 #include "PointNormals.h"
 #include "Shading/HemisphereSampling.h"
 #include "Surface.h"
+#include "SurfacePatches.h"
 #include "Tessellation/MemoryEstimate.h"
 
 #include "vtkBoundingBox.h"
@@ -243,7 +244,8 @@ private:
     this->Normals = this->Mesh->GetPointData()->GetNormals();
     if (!this->Normals || this->Options.ComputeNormals)
     {
-      this->Normals = ComputePointNormals(this->Mesh, this->Progress);
+      this->Normals = ComputePointNormals(this->Mesh, this->Result.DoubledPolygons, this->Progress);
+      this->HasComputedNormals = this->Normals != nullptr;
     }
   }
 
@@ -273,8 +275,11 @@ private:
     }
     if (normal == glm::vec3(0.f))
     {
-      ++this->Result.NotFinite;
-      return false;
+      ++(this->HasComputedNormals ? this->Result.TwoSided : this->Result.NotFinite);
+      if (!this->HasComputedNormals)
+      {
+        return false;
+      }
     }
     RecordCandidate site;
     site.Position = position;
@@ -434,6 +439,7 @@ private:
   BakeInput Result;
   vtkSmartPointer<vtkPolyData> Mesh;
   vtkSmartPointer<vtkDataArray> Normals;
+  bool HasComputedNormals = false;
   std::vector<vtkIdType> Originals; ///< id in Data of each point or cell of Mesh; empty if equal
   std::vector<glm::vec3> Positions;
   std::vector<char> Finite;
@@ -447,7 +453,9 @@ private:
 BakeInput PrepareBakeInput(
   vtkPointSet* data, const BakeInputOptions& options, const ProgressCallback& progress)
 {
-  return BakeInputBuilder(data, options, progress).Build();
+  BakeInput mesh = BakeInputBuilder(data, options, progress).Build();
+  LabelPatches(mesh);
+  return mesh;
 }
 
 void AddOccluders(vtkPolyData* surroundings, const BakeInputOptions& options, BakeInput& mesh,

@@ -42,9 +42,14 @@ struct BakeInput
   std::vector<std::string> SkippedAttributes; ///< one message per attribute of invalid size
   vtkIdType Unused = 0;    ///< points without a cell or cells without area, not baked
   vtkIdType NotFinite = 0; ///< points or normals that are not finite, not baked
-  vtkBoundingBox Bounds;   ///< of all finite points, world units
-  double Diagonal = 0.0;   ///< of Bounds, world units
-  float Spacing = 0.f;     ///< mean distance of neighboring query points, scene units
+
+  /// Points whose polygons face opposite sides. Their query points have the normal 0 until
+  /// SeparateContacts().
+  vtkIdType TwoSided = 0;
+  vtkIdType DoubledPolygons = 0; ///< with the same points as another, facing the other side
+  vtkBoundingBox Bounds;         ///< of all finite points, world units
+  double Diagonal = 0.0;         ///< of Bounds, world units
+  float Spacing = 0.f;           ///< mean distance of neighboring query points, scene units
 
   /// Positions of the first surface that belong to each query point: its own, or the corners of its
   /// cell. Empty for disks.

@@ -23,6 +23,10 @@ vtkSmartPointer<vtkFloatArray> CreateArray(const BakeInput& mesh, const BakedVal
   {
     const vtkIdType id = mesh.Ids[i];
     const float weight = mesh.Weights.empty() ? 1.f : mesh.Weights[i];
+    if (weight <= 0.f)
+    {
+      continue;
+    }
     float& sum = sums[static_cast<std::size_t>(id)];
     sum += weight;
     for (int c = 0; c < components; ++c)

@@ -5,11 +5,17 @@
 #include "Execution/ParallelFor.h"
 #include "Gathering/IrradianceConstants.h"
 #include "LocalRegression.h"
+#include "Obstacles.h"
 #include "Shading/HemisphereSampling.h"
 
 #include <atomic>
+#include <cmath>
 #include <cstdint>
+#include <limits>
+#include <numeric>
 #include <tuple>
+#include <unordered_map>
+#include <utility>
 
 namespace penumbra
 {
@@ -103,38 +109,75 @@ std::vector<std::size_t> FindUncovered(const std::vector<RecordCandidate>& sites
   return left;
 }
 
+/// Returns the points of `which` in patches of at least MinimumPatchPoints, and the others.
+std::pair<std::vector<std::size_t>, std::vector<std::size_t>> SplitByPatch(
+  const std::vector<RecordCandidate>& sites, const std::vector<std::size_t>& which)
+{
+  std::unordered_map<std::uint32_t, std::size_t> counts;
+  for (const RecordCandidate& site : sites)
+  {
+    ++counts[site.Patch];
+  }
+  std::pair<std::vector<std::size_t>, std::vector<std::size_t>> parts;
+  for (const std::size_t index : which)
+  {
+    const bool isLarge = counts[sites[index].Patch] >= MinimumPatchPoints;
+    (isLarge ? parts.first : parts.second).push_back(index);
+  }
+  return parts;
+}
+
+/// Returns the candidates `chosen` with the distances of their obstacles, without those that are too
+/// near to one.
+std::vector<RecordCandidate> FindObstacles(const std::vector<RecordCandidate>& sites,
+  const std::vector<std::size_t>& chosen, const Obstacles& obstacles,
+  const RecordPlacement& placement, const ProgressCallback& progress)
+{
+  std::vector<RecordCandidate> found(chosen.size());
+  ForEach(chosen.size(), 1.0, progress, [&](int i) {
+    RecordCandidate& site = found[i];
+    site = sites[chosen[i]];
+    site.ObstacleDistance =
+      obstacles.FindDistance(site, site.MaximumRadius / ObstacleRadiusFraction);
+  });
+  found.erase(std::remove_if(found.begin(), found.end(),
+                [&](const RecordCandidate& site) {
+                  return SeenObstacleFraction * site.ObstacleDistance <
+                    placement.GetMinimumRadius(site);
+                }),
+    found.end());
+  return found;
+}
+
 /// Places records from coarse to fine. Returns false if stopped.
-bool PlaceRecords(const std::vector<RecordCandidate>& sites, float spacing, double minimumCovered,
+bool PlaceRecords(const BakeInput& mesh, const Obstacles& obstacles, double minimumCovered,
   RecordPlacement& placement, const RecordOctree& tree, const ProgressCallback& progress)
 {
+  const std::vector<RecordCandidate>& sites = mesh.Sites;
   std::vector<std::size_t> left(sites.size());
-  for (std::size_t i = 0; i < left.size(); ++i)
-  {
-    left[i] = i;
-  }
+  std::iota(left.begin(), left.end(), std::size_t(0));
+  left = SplitByPatch(sites, left).first;
   const CandidateGrid squares(sites);
-  float width = CoarsestCellWidth * spacing;
+  float width = CoarsestCellWidth * mesh.Spacing;
   for (int level = 0; level < BakingLevels && !left.empty(); ++level, width *= .5f)
   {
-    std::vector<RecordCandidate> chosen;
-    for (const std::size_t index : squares.Choose(left, width))
-    {
-      chosen.push_back(sites[index]);
-    }
     const std::size_t invalid = placement.GetNumberOfInvalidRecords();
     const auto step = [&](double fraction) {
       return progress && progress(RecordProgress * (level + fraction) / BakingLevels);
     };
+    const std::vector<RecordCandidate> chosen =
+      FindObstacles(sites, squares.Choose(left, width), obstacles, placement, step);
     if (!placement.AddLevel(chosen, step))
     {
       return false;
     }
     const std::size_t before = left.size();
     left = FindUncovered(sites, tree, left, step);
-    const auto made = static_cast<double>(chosen.size());
+    const auto made = static_cast<double>(std::max<std::size_t>(chosen.size(), 1));
     const double serving =
       1.0 - static_cast<double>(placement.GetNumberOfInvalidRecords() - invalid) / made;
-    if (static_cast<double>(before - left.size()) * serving < minimumCovered * made)
+    if (!chosen.empty() &&
+      static_cast<double>(before - left.size()) * serving < minimumCovered * made)
     {
       break;
     }
@@ -259,12 +302,23 @@ private:
     const LocalRegression neighbors(this->Sites, which, spacing, this->Estimators.RegressionRadius);
     std::vector<NoisyEstimate> fitted(which.size());
     ForEach(which.size(), fraction, progress, [&](int i) {
-      // Keep estimates of exactly 0 or 1, so that unoccluded points stay at 0.
       const NoisyEstimate& estimate = estimates[which[i]];
+      fitted[i] = neighbors.Fit(which[i], estimates);
+      // Keep estimates of exactly 0 or 1, so that unoccluded points stay at 0.
       const bool agree = estimate.Mean == 0.f || estimate.Mean == 1.f;
-      fitted[i] = agree ? estimate : neighbors.Fit(which[i], estimates);
+      const float allowed = agree ? AgreeingErrorFactor * this->Estimators.LowSampleError
+                                  : OutlierFactor * estimate.Error;
+      if (std::abs(fitted[i].Mean - estimate.Mean) > allowed)
+      {
+        fitted[i].Error = std::numeric_limits<float>::infinity();
+      }
+      else if (agree && std::isfinite(fitted[i].Error))
+      {
+        fitted[i] = estimate;
+      }
     });
-    const float limit = ComputeErrorLimit(fitted, this->Estimators.LowSampleError);
+    const float limit = std::min(ComputeErrorLimit(fitted, this->Estimators.LowSampleError),
+      MaximumDenoisedError * this->Estimators.LowSampleError);
     std::size_t certain = 0;
     for (std::size_t i = 0; i < which.size(); ++i)
     {
@@ -313,15 +367,16 @@ private:
 
 }
 
-bool Bake(const std::vector<RecordCandidate>& sites, float spacing, bool records,
-  RecordPlacement& placement, const RecordOctree& tree, const PointEstimators& estimators,
-  const ProgressCallback& progress, BakedValues& result)
+bool Bake(const BakeInput& mesh, const RayScene& rays, bool records, RecordPlacement& placement,
+  const RecordOctree& tree, const PointEstimators& estimators, const ProgressCallback& progress,
+  BakedValues& result)
 {
+  const std::vector<RecordCandidate>& sites = mesh.Sites;
   result.Values.resize(sites.size());
   const bool denoises = records && estimators.LowSample;
   if (records &&
-    !PlaceRecords(sites, spacing, denoises ? MinimumCoveredPointsDenoised : MinimumCoveredPoints,
-      placement, tree, progress))
+    !PlaceRecords(mesh, Obstacles(mesh, rays),
+      denoises ? MinimumCoveredPointsDenoised : MinimumCoveredPoints, placement, tree, progress))
   {
     return false;
   }
@@ -333,9 +388,15 @@ bool Bake(const std::vector<RecordCandidate>& sites, float spacing, bool records
     return evaluator.EvaluateByBruteForce(left, begin, progress);
   }
   const auto midProgress = begin + .5 * (1.0 - begin);
+  const auto [large, small] = SplitByPatch(sites, left);
   std::vector<std::size_t> uncertain;
-  return evaluator.EvaluateWithDenoising(left, spacing, begin, midProgress, progress, uncertain) &&
-    evaluator.EvaluateByBruteForce(uncertain, midProgress, progress);
+  if (!evaluator.EvaluateWithDenoising(
+        large, mesh.Spacing, begin, midProgress, progress, uncertain))
+  {
+    return false;
+  }
+  uncertain.insert(uncertain.end(), small.begin(), small.end());
+  return evaluator.EvaluateByBruteForce(uncertain, midProgress, progress);
 }
 
 }

@@ -7,6 +7,7 @@
 #ifndef penumbra_Baking_h
 #define penumbra_Baking_h
 
+#include "BakeInput.h"
 #include "Execution/ParallelFor.h"
 #include "Gathering/IrradianceConstants.h"
 #include "Records/RecordPlacement.h"
@@ -16,6 +17,8 @@
 
 namespace penumbra
 {
+
+class RayScene;
 
 /// Mean over the hemisphere at one point, and its standard error.
 struct BakedValue
@@ -47,13 +50,12 @@ struct BakedValues
 };
 
 /**
- * Computes the values at `sites`. `spacing` is the mean distance of neighboring points, in scene
- * units. If `records` is false, only brute force is used. Returns false or throws Stopped if
- * `progress` requested a stop.
+ * Computes the values at the query points of `mesh`. `rays` are of its occluders. If `records` is
+ * false, only brute force is used. Returns false or throws Stopped if `progress` requested a stop.
  */
-bool Bake(const std::vector<RecordCandidate>& sites, float spacing, bool records,
-  RecordPlacement& placement, const RecordOctree& tree, const PointEstimators& estimators,
-  const ProgressCallback& progress, BakedValues& result);
+bool Bake(const BakeInput& mesh, const RayScene& rays, bool records, RecordPlacement& placement,
+  const RecordOctree& tree, const PointEstimators& estimators, const ProgressCallback& progress,
+  BakedValues& result);
 
 }
 #endif

@@ -142,7 +142,8 @@ private:
   {
     const RecordCandidate& at = this->Mesh.Sites[site];
     int visited = 0;
-    VisitTrianglesNear(this->Rays, at.Position, ComputeContactOffset(at),
+    VisitTrianglesNear(this->Rays, at.Position,
+      ContactDistancePerRayOffset * RayOriginOffset(at.Position),
       [&](std::uint32_t surface, std::uint32_t triangle) {
         if (this->IsOwn(surface, triangle, site))
         {
@@ -163,6 +164,7 @@ private:
     const std::size_t count = this->Mesh.GetNumberOfCornerLists();
     std::vector<char> isTouched(count, 0);
     if (!ParallelForWithProgress(static_cast<int>(count), 0.0, 0.0, progress, [&](int i) {
+          isTouched[i] = this->Mesh.Sites[i].Normal == glm::vec3(0.f);
           this->VisitTouching(i, [&](glm::vec3) {
             isTouched[i] = 1;
             return true;
@@ -221,6 +223,11 @@ private:
   {
     RecordCandidate moved = site;
     moved.Position += offset * direction;
+    if (site.Normal == glm::vec3(0.f))
+    {
+      moved.Normal = normal;
+      return moved;
+    }
     const float cosine = glm::dot(normal, site.Normal);
     if (std::abs(cosine) < FlatCosine)
     {
@@ -230,11 +237,18 @@ private:
     return moved;
   }
 
-  /// Returns the planes of the triangles that touch a query point.
-  std::vector<glm::vec3> FindPlanes(std::size_t index) const
+  /// Returns the planes of the triangles that touch a query point, without those that continue one
+  /// of its wedges.
+  std::vector<glm::vec3> FindPlanes(std::size_t index, const std::vector<Wedge>& wedges) const
   {
     std::vector<glm::vec3> planes;
     this->VisitTouching(index, [&](glm::vec3 normal) {
+      const bool continues = std::any_of(wedges.begin(), wedges.end(),
+        [&](const Wedge& wedge) { return glm::dot(wedge.Normal, normal) > ContactParallelCosine; });
+      if (continues)
+      {
+        return false;
+      }
       const bool isKnown = std::any_of(planes.begin(), planes.end(),
         [&](glm::vec3 plane) { return std::abs(glm::dot(plane, normal)) > FlatCosine; });
       if (!isKnown)
@@ -291,7 +305,11 @@ private:
   {
     const RecordCandidate& site = this->Mesh.Sites[index];
     const float offset = ComputeContactOffset(site);
-    const std::vector<glm::vec3> planes = this->FindPlanes(index);
+    const std::vector<glm::vec3> planes = this->FindPlanes(index, wedges);
+    if (planes.empty() && site.Normal != glm::vec3(0.f))
+    {
+      return { { site, 1.f } };
+    }
     for (const glm::vec3 plane : planes)
     {
       Cut(plane, wedges);
@@ -316,6 +334,12 @@ private:
         single.Add(wedge);
         add(single);
       }
+    }
+    if (parts.empty() && site.Normal == glm::vec3(0.f))
+    {
+      RecordCandidate unused = site;
+      unused.Normal = glm::vec3(0.f, 0.f, 1.f);
+      return { { unused, 0.f } };
     }
     if (parts.empty())
     {

@@ -67,8 +67,8 @@ bool BakeOcclusion(const BakeInput& mesh, const RayScene& rays, const Gatherer& 
     },
     static_cast<float>(constants.DenoisedErrorFactor * tolerance),
     static_cast<float>(constants.RegressionRadius) };
-  const bool done = Bake(
-    mesh.Sites, mesh.Spacing, settings.UsesRecords, placement, tree, estimators, progress, result);
+  const bool done =
+    Bake(mesh, rays, settings.UsesRecords, placement, tree, estimators, progress, result);
   for (BakedValue& value : result.Values)
   {
     value.Mean = glm::clamp(value.Mean, 0.f, 1.f);

@@ -8,6 +8,7 @@
 #include "Execution/ParallelFor.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 class vtkDataArray;
 class vtkPolyData;
@@ -15,10 +16,12 @@ class vtkPolyData;
 namespace penumbra
 {
 
-/// Returns point normals from consistently oriented polygons; null if they cannot be computed.
-/// Throws Stopped if `progress` requests a stop.
+/// Returns point normals from consistently oriented polygons; null if they cannot be computed. They
+/// are 0 where polygons face opposite sides and their normals cancel. Of several polygons with the
+/// same points, only the first one counts; `doubled` is set to the number of the others that have
+/// the opposite orientation. Throws Stopped if `progress` requests a stop.
 vtkSmartPointer<vtkDataArray> ComputePointNormals(
-  vtkPolyData* surface, const ProgressCallback& progress);
+  vtkPolyData* surface, vtkIdType& doubled, const ProgressCallback& progress);
 
 }
 #endif

@@ -101,7 +101,8 @@ constexpr float EmitterDistanceFraction = 0.97f;
 constexpr float OcclusionRadiusFraction = 0.25f;
 
 /// A record is invalid if its radius is below this fraction of the minimum radius: its error would
-/// be above twice the tolerance.
+/// be above twice the tolerance. With an obstacle the fraction is 1, because derivatives grow toward
+/// it.
 constexpr double MinimumRadiusFraction = 0.7;
 
 /// Radius of an invalid record over the minimum radius. No other record is placed within this
@@ -239,6 +240,24 @@ constexpr double MinimumCoveredPoints = 2.5;
 /// The same if other points use denoised low-sample estimates, which are cheaper (measured).
 constexpr double MinimumCoveredPointsDenoised = 16.0;
 
+/// Minimum cosine between the normals of two neighbors of one patch. Minimum number of points of a
+/// patch with records or denoising; fewer are coarse compared to the surfaces around them, and brute
+/// force at each of them costs little.
+constexpr float PatchCosine = 0.5f;
+constexpr std::size_t MinimumPatchPoints = 128;
+
+/// Maximum radius of a record over the distance of its nearest obstacle: an obstacle is not much
+/// nearer to a point that the record serves than to the record. If a ray that is not grazing hits
+/// something within SeenDistanceFactor of this distance, the derivatives of the record include the
+/// obstacle, and the larger fraction applies. Triangles of the same patch are obstacles if the cosine
+/// of the angle between the normals is smaller than ObstacleCosine. Minimum height of an obstacle
+/// over that of ray origins.
+constexpr float ObstacleRadiusFraction = 0.5f;
+constexpr float SeenObstacleFraction = 2.f;
+constexpr float SeenDistanceFactor = 1.25f;
+constexpr float ObstacleCosine = 0.3f;
+constexpr float ObstacleHeightPerRayOffset = 4.f;
+
 /// Denoising is tried on the points in one of TrialInterval grid cells of width TrialCellWidth. If
 /// the fraction of these points that it can denoise is below the minimum, brute force is as fast.
 constexpr double MinimumDenoisedFraction = 0.4;
@@ -275,6 +294,16 @@ constexpr double MaximumLowSampleNoise = 0.032;
 /// 7 % more rays at equal error, 1.1 up to 12 %).
 constexpr double DenoisedErrorFactor = 0.88;
 
+/// Difference between the estimate of a point and the fit, over the noise of the estimate, above
+/// which the point differs from its neighbors.
+constexpr float OutlierFactor = 3.f;
+
+/// The same if all rays of a point agree, over the accepted RMS error.
+constexpr float AgreeingErrorFactor = 2.f;
+
+/// Maximum error of a denoised value over the accepted RMS error.
+constexpr float MaximumDenoisedError = 2.f;
+
 /// Minimum number of rays per point by brute force. More than for pixels, whose errors average out
 /// over the samples of a pixel.
 constexpr int MinimumRays = 128;
@@ -283,6 +312,10 @@ constexpr int MinimumRays = 128;
 /// which a point counts as occluded.
 constexpr double MinimumOccludedFraction = 0.99;
 constexpr float OccludedThreshold = 0.999f;
+
+/// Number of polygons that exist twice, and of points whose polygons face opposite sides, over the
+/// number of points, above which a warning reports them.
+constexpr double MinimumReportedFraction = 0.01;
 
 /// Radius of the neighborhood of a regression in spacings, and minimum cosine between normals.
 /// Larger neighborhoods add more bias than they remove noise (measured, `fit-baking`: a radius of 5
@@ -305,12 +338,15 @@ constexpr double Ridge = 1e-3;
 constexpr double RegressionErrorFactor = 0.8;
 
 /// Minimum number of estimates in excess of the number of terms.
-constexpr std::size_t MinimumSurplus = 2;
+constexpr std::size_t MinimumSurplus = 4;
 
 /// Maximum number of points used per grid cell, many times the number on a mesh of uniform density.
 constexpr std::size_t MaximumPointsPerCell = 128;
 
 // --- Baking: points in contact with other polygons ---
+
+/// Distance of other polygons up to which a point touches them, over the height of ray origins.
+constexpr float ContactDistancePerRayOffset = 2.f;
 
 /// Distance by which such a point is moved into its polygons, over its spacing: small, so that the
 /// value is that of the point. Minimum of the distance over the height of ray origins: origins over

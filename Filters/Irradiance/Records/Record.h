@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace penumbra
@@ -21,6 +22,10 @@ struct ShadingPoint
   glm::vec3 Normal{ 0.f, 0.f, 1.f }; ///< unit, axis of the hemisphere
   glm::vec3 GeometricNormal{ 0.f };  ///< unit, of the polygon; 0 if it equals Normal
 
+  /// Connected surface that the point belongs to. Records are not used on other surfaces, such as
+  /// a parallel one. Points of images belong to 0.
+  std::uint32_t Patch = 0;
+
   /// Maximum distance of a record and a point from their common tangent plane, along the normals:
   /// the size of a pixel at each, of which the smaller one applies.
   float MaximumPlaneDistance = std::numeric_limits<float>::infinity();
@@ -32,12 +37,13 @@ struct ShadingPoint
       : SurfaceNormals(this->Normal, this->GeometricNormal);
   }
 
-  /// Returns true if `other` is not on the surface of this point but, for example, on a parallel
-  /// one. On a smooth surface, a chord is perpendicular to the mean of both normals up to third
-  /// order.
+  /// Returns true if `other` is not on the surface of this point but on another patch or, for
+  /// example, on a parallel fold. On a smooth surface, a chord is perpendicular to the mean of both
+  /// normals up to third order.
   bool IsOffPlane(const ShadingPoint& other) const
   {
-    return std::abs(glm::dot(other.Position - this->Position, other.Normal + this->Normal)) >
+    return this->Patch != other.Patch ||
+      std::abs(glm::dot(other.Position - this->Position, other.Normal + this->Normal)) >
       2.f * std::min(this->MaximumPlaneDistance, other.MaximumPlaneDistance);
   }
 };

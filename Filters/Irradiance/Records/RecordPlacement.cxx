@@ -228,6 +228,11 @@ RecordPlacement::RecordPlacement(
     settings.Side > 0 ? RoundToValidSide(settings.Side) : ComputeSide(settings.Tolerance);
 }
 
+float RecordPlacement::GetMinimumRadius(const RecordCandidate& site) const
+{
+  return static_cast<float>(this->Settings.MinimumRadiusPixels * site.Pixel);
+}
+
 int RecordPlacement::ComputeSide(double tolerance)
 {
   return RoundToValidSide(ReferenceGridSide * std::pow(ReferenceGridError / tolerance, 2.0 / 3.0));
@@ -246,6 +251,7 @@ std::optional<Record> RecordPlacement::Gather(const RecordCandidate& site, long 
   record.Position = site.Position;
   record.Normal = site.Normal;
   record.GeometricNormal = site.GeometricNormal;
+  record.Patch = site.Patch;
   const glm::mat3 frame = FrameFromNormal(site.Normal);
   record.Tangent = frame[0];
   const std::uint32_t seed = HashPoint(site.Position, site.Normal);
@@ -292,12 +298,14 @@ std::optional<Record> RecordPlacement::Gather(const RecordCandidate& site, long 
   // Equal samples have no derivatives: the model of the split sphere [IC] bounds the radius under
   // occluders whose edges the grid misses, such as a near parallel surface.
   const bool isUniform = record.Gathered.Error == 0.f;
+  const double clear = ComputeObstacleRadius(site, record.Gathered);
   const double radius = std::min({ this->ComputeRadius(record.Gathered),
     isUniform ? this->ComputeAccuracy() * record.Gathered.HarmonicMean
               : std::numeric_limits<double>::infinity(),
     double(OcclusionRadiusFraction) * this->Source.GetRadius(),
-    (isUniform ? UniformRadiusFraction : 1.0) * site.MaximumRadius });
-  record.IsValid = this->Settings.KeepAllValid || radius >= MinimumRadiusFraction * minimum;
+    (isUniform ? UniformRadiusFraction : 1.0) * std::min<double>(site.MaximumRadius, clear) });
+  record.IsValid = this->Settings.KeepAllValid ||
+    radius >= (std::isinf(site.ObstacleDistance) ? MinimumRadiusFraction : 1.0) * minimum;
   const double shadow = ShadowRadiusFraction *
     ShadowDistance(HemisphereGrid::Get(this->Settings.Side), frame, directions, samples,
       emitterSamples, this->GetAbsoluteTolerance());
@@ -412,6 +420,13 @@ long long RecordPlacement::FindOccluderEdges(const RecordCandidate& site,
 double RecordPlacement::ComputeAccuracy() const
 {
   return std::min(1.0, SplitSphereAccuracy * std::sqrt(this->Settings.Tolerance));
+}
+
+double RecordPlacement::ComputeObstacleRadius(
+  const RecordCandidate& site, const HemisphereEstimate& estimate)
+{
+  const bool isSeen = estimate.Nearest <= SeenDistanceFactor * site.ObstacleDistance;
+  return (isSeen ? SeenObstacleFraction : ObstacleRadiusFraction) * site.ObstacleDistance;
 }
 
 double RecordPlacement::ComputeRadius(const HemisphereEstimate& estimate) const

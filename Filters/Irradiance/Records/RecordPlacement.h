@@ -47,6 +47,9 @@ struct RecordCandidate : ShadingPoint
   float Pixel =
     0.f; ///< size of a pixel at this point, scene units; on a mesh, from the point spacing
   float MaximumRadius = std::numeric_limits<float>::infinity(); ///< upper bound of the radius
+
+  /// Distance of the nearest surface that is in front of the point and does not continue its own.
+  float ObstacleDistance = std::numeric_limits<float>::infinity();
 };
 
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT RecordPlacement
@@ -69,6 +72,9 @@ public:
   std::optional<Record> Gather(const RecordCandidate& site, long long& rays) const;
 
   long long GetRays() const { return this->Rays; }
+
+  /// Returns the minimum radius of a record.
+  float GetMinimumRadius(const RecordCandidate& site) const;
 
   /// Returns the number of records added so far that are not valid.
   std::size_t GetNumberOfInvalidRecords() const { return this->InvalidRecords; }
@@ -94,6 +100,9 @@ private:
   /// Returns the accuracy of split-sphere radii, as a fraction of the distance.
   double ComputeAccuracy() const;
   double ComputeRadius(const HemisphereEstimate& estimate) const;
+  /// Returns the upper bound of a radius that the obstacle of the candidate allows.
+  static double ComputeObstacleRadius(
+    const RecordCandidate& site, const HemisphereEstimate& estimate);
   double GetAbsoluteTolerance() const { return this->Settings.Tolerance * this->Settings.Radiance; }
 
   const Gatherer& Source;

@@ -150,11 +150,15 @@ private:
   bool TracesPackets16 = false; ///< the processor traces packets of 16 rays, not 8
 };
 
-/// Calls visit(surface, triangle) for the triangles within `radius` of `point`, in scene units,
-/// until it returns true. The order is arbitrary, and a triangle may be visited several times.
-/// Spheres, tubes and instances are not visited.
+/// Calls visit(surface, triangle) for triangles within `radius` of `point` until it returns true, in
+/// arbitrary order and some several times. Spheres, tubes and instances are not visited.
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT void VisitTrianglesNear(const RayScene& rays, glm::vec3 point,
   float radius, const std::function<bool(std::uint32_t, std::uint32_t)>& visit);
+
+/// Returns the distance of the nearest triangle, sphere or tube, not instance, that accept(surface,
+/// primitive) accepts; infinity if there is none within `radius`.
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT float FindNearest(const RayScene& rays, glm::vec3 point,
+  float radius, const std::function<bool(std::uint32_t, std::uint32_t)>& accept);
 
 }
 #endif

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>
@@ -86,6 +87,54 @@ TEST(NearTriangles, MatchSampledDistances)
         {
           EXPECT_EQ(found.count({ surface, triangle }) == 1, distance < radius) << distance;
         }
+      }
+    }
+  }
+}
+
+TEST(NearTriangles, NearestOfAcceptedPrimitivesMatchesSampledDistances)
+{
+  std::mt19937 random(7);
+  Scene scene;
+  scene.Surfaces.resize(2);
+  Surface& triangles = scene.Surfaces[0];
+  for (unsigned int i = 0; i < 20; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      triangles.Positions.emplace_back(Draw(random), Draw(random), Draw(random));
+    }
+    triangles.Triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+  }
+  Surface& spheres = scene.Surfaces[1];
+  spheres.Radii = { .1f };
+  for (int i = 0; i < 4; ++i)
+  {
+    spheres.Positions.emplace_back(Draw(random), Draw(random), Draw(random));
+  }
+  const RayScene rays(scene, 1);
+  for (int k = 0; k < 40; ++k)
+  {
+    const glm::vec3 point(Draw(random), Draw(random), Draw(random));
+    for (const bool acceptsSpheres : { false, true })
+    {
+      double expected = 1e30;
+      for (std::uint32_t triangle = 1; triangle < 20; triangle += 2)
+      {
+        expected = std::min(expected, ComputeSampledDistance(triangles, triangle, point));
+      }
+      for (std::size_t i = 0; i < 4 && acceptsSpheres; ++i)
+      {
+        const double center = glm::distance(spheres.Positions[i], point);
+        expected = std::min(expected, std::max(center - .1, 0.0));
+      }
+      const float found =
+        FindNearest(rays, point, .5f, [&](std::uint32_t surface, std::uint32_t primitive) {
+          return surface == 1 ? acceptsSpheres : primitive % 2 == 1;
+        });
+      if (std::abs(expected - .5) > .01)
+      {
+        EXPECT_NEAR(std::min<double>(found, 1.0), expected < .5 ? expected : 1.0, .01);
       }
     }
   }
