@@ -22,8 +22,9 @@ from _layout import Library, differences  # noqa: E402
 # Abstract classes have no objects: those of a derived class contain theirs.
 DERIVED = ("vtkGenericOpenGLRenderWindow", "vtkImageCast", "vtkSSAOPass", "vtkTransformPolyDataFilter")
 
-# Bytes of further tables that work. VTK 9.7.1 inserted a function behind those that AnnotationCopies.cxx calls.
-MORE_TABLES = {"vtkAxisActor2D": [1664]}
+# Bytes of further tables that work. VTK 9.7.1 inserted a function behind those that AnnotationCopies.cxx calls, and one
+# into the locators, of which SurfaceSlopes.cxx calls no function by the table but those of vtkLocator.
+MORE_TABLES = {"vtkAxisActor2D": [1664], "vtkAbstractCellLocator": [8 * 82], "vtkStaticCellLocator": [8 * 90]}
 
 
 def included_headers(headers):

@@ -7,18 +7,23 @@
 
 #include "vtkCell.h"
 #include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkUnstructuredGridGeometryFilter.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <set>
+#include <tuple>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -129,6 +134,135 @@ int FindLevel(vtkUnstructuredGrid* faces, const ProgressCallback& progress)
   return level;
 }
 
+/// A face of a three-dimensional cell. Cells that share a face have faces of the same points.
+struct CellFace
+{
+  std::uint64_t Hash; ///< of the ids of the points
+  vtkIdType Lowest;   ///< lowest id
+  vtkIdType Cell;
+  int Index;
+
+  bool HasSamePoints(const CellFace& other) const
+  {
+    return this->Hash == other.Hash && this->Lowest == other.Lowest;
+  }
+};
+
+CellFace MakeCellFace(vtkCell* face, vtkIdType cell, int index, std::vector<vtkIdType>& ids)
+{
+  ids.assign(face->GetPointIds()->begin(), face->GetPointIds()->end());
+  std::sort(ids.begin(), ids.end());
+  std::uint64_t hash = 0xcbf29ce484222325u; // Fowler-Noll-Vo, with a shift for the high bits
+  for (const vtkIdType id : ids)
+  {
+    hash = (hash ^ static_cast<std::uint64_t>(id)) * 0x100000001b3u;
+    hash ^= hash >> 29;
+  }
+  return { hash, ids.empty() ? 0 : ids.front(), cell, index };
+}
+
+/// Returns the faces that only one cell has, in the order of the cells.
+std::vector<CellFace> FindOuterFaces(
+  vtkUnstructuredGridBase* grid, const ProgressCallback& progress)
+{
+  std::vector<CellFace> faces;
+  std::vector<vtkIdType> ids;
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    if (i % StoppableCells == 0)
+    {
+      ThrowIfStopped(progress, 0.0);
+    }
+    grid->GetCell(i, cell);
+    for (int index = 0; cell->GetCellDimension() == 3 && index < cell->GetNumberOfFaces(); ++index)
+    {
+      faces.push_back(MakeCellFace(cell->GetFace(index), i, index, ids));
+    }
+  }
+  std::sort(faces.begin(), faces.end(), [](const CellFace& a, const CellFace& b) {
+    return std::tie(a.Hash, a.Lowest) < std::tie(b.Hash, b.Lowest);
+  });
+  std::vector<CellFace> outer;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if ((i == 0 || !faces[i].HasSamePoints(faces[i - 1])) &&
+      (i + 1 == faces.size() || !faces[i].HasSamePoints(faces[i + 1])))
+    {
+      outer.push_back(faces[i]);
+    }
+  }
+  std::sort(outer.begin(), outer.end(), [](const CellFace& a, const CellFace& b) {
+    return std::tie(a.Cell, a.Index) < std::tie(b.Cell, b.Index);
+  });
+  return outer;
+}
+
+/// Returns the degree of a face of higher order in a parametric direction.
+double FindDegree(vtkCell* face, int direction)
+{
+  std::set<double> values;
+  const double* parameters = face->GetParametricCoords();
+  for (vtkIdType i = 0; parameters && i < face->GetNumberOfPoints(); ++i)
+  {
+    values.insert(std::round(1e6 * parameters[3 * i + direction]));
+  }
+  return values.empty() ? 1.0 : static_cast<double>(values.size() - 1);
+}
+
+/// Returns a grid of the cells of at most two dimensions and the outer faces of the others, without
+/// ghost cells. vtkUnstructuredGridGeometryFilter does the same, but its layout differs between
+/// releases of VTK 9.7, with all of which the modules of Python run.
+vtkSmartPointer<vtkUnstructuredGrid> ExtractFaces(
+  vtkUnstructuredGridBase* grid, const char* cellIds, const ProgressCallback& progress)
+{
+  const std::vector<CellFace> outer = FindOuterFaces(grid, progress);
+  auto faces = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  faces->SetPoints(grid->GetPoints());
+  faces->GetPointData()->ShallowCopy(grid->GetPointData());
+  vtkCellData* attributes = faces->GetCellData();
+  attributes->CopyAllocate(grid->GetCellData());
+  vtkDataArray* degrees = grid->GetCellData()->GetHigherOrderDegrees();
+  const char* degreesName = degrees ? degrees->GetName() : nullptr;
+  vtkNew<vtkIdTypeArray> ids;
+  const auto append = [&](vtkCell* face, vtkIdType from) {
+    const vtkIdType to = faces->InsertNextCell(face->GetCellType(), face->GetPointIds());
+    attributes->CopyData(grid->GetCellData(), from, to);
+    vtkDataArray* copied = degreesName ? attributes->GetArray(degreesName) : nullptr;
+    if (copied && face->GetCellDimension() == 2)
+    {
+      copied->SetTuple3(to, FindDegree(face, 0), FindDegree(face, 1), 0.0);
+    }
+    ids->InsertNextValue(from);
+  };
+  vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
+  vtkNew<vtkGenericCell> cell;
+  auto next = outer.begin();
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    constexpr int ghost = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+    const bool isGhost = ghosts && (ghosts->GetValue(i) & ghost) != 0;
+    grid->GetCell(i, cell);
+    if (!isGhost && cell->GetCellDimension() < 3)
+    {
+      append(cell, i);
+    }
+    for (; next != outer.end() && next->Cell == i; ++next)
+    {
+      if (!isGhost)
+      {
+        append(cell->GetFace(next->Index), i);
+      }
+    }
+  }
+  if (cellIds)
+  {
+    ids->SetName(cellIds);
+    attributes->AddArray(ids);
+  }
+  return faces;
+}
+
 }
 
 vtkSmartPointer<vtkPolyData> ExtractCurvedSurface(
@@ -139,16 +273,7 @@ vtkSmartPointer<vtkPolyData> ExtractCurvedSurface(
   {
     return nullptr;
   }
-  vtkNew<vtkUnstructuredGridGeometryFilter> faces;
-  faces->SetInputData(grid);
-  if (cellIds)
-  {
-    faces->PassThroughCellIdsOn();
-    faces->SetOriginalCellIdsName(cellIds);
-  }
-  faces->MergingOff();
-  UpdateStoppably(faces, progress);
-  auto* cells = vtkUnstructuredGrid::SafeDownCast(faces->GetOutputDataObject(0));
+  const vtkSmartPointer<vtkUnstructuredGrid> cells = ExtractFaces(grid, cellIds, progress);
   vtkNew<vtkDataSetSurfaceFilter> surface;
   surface->SetInputData(cells);
   surface->SetNonlinearSubdivisionLevel(FindLevel(cells, progress));

@@ -77,7 +77,10 @@ double SurfaceSlopes::Find(glm::dvec3 x) const
   double squaredDistance = 0.0;
   // Not constant, but it changes only its scratch memory.
   vtkStaticCellLocator* locator = this->Locator;
-  if (!locator->FindClosestPointWithinRadius(&x.x, radius, &nearest.x, cell, part, squaredDistance))
+  // Not a virtual call: the table of virtual functions differs between releases of VTK 9.7, with all
+  // of which the modules of Python run.
+  if (!locator->vtkAbstractCellLocator::FindClosestPointWithinRadius(
+        &x.x, radius, &nearest.x, cell, part, squaredDistance))
   {
     return 0.0;
   }
