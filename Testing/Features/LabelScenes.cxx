@@ -16,6 +16,7 @@
 #include "vtkProperty.h"
 #include "vtkSelectVisiblePoints.h"
 #include "vtkStringArray.h"
+#include "vtkVertexGlyphFilter.h"
 
 #include <string>
 
@@ -58,6 +59,19 @@ void AddLabels(Renderer renderer, vtkMapper2D* mapper)
 
 void AddVisiblePoints(SceneList& add)
 {
+  add(Feature::VisiblePoints, [](Renderer r, Window) { // of points that are drawn, too
+    vtkSmartPointer<vtkPolyData> data = AddHalfHiddenPoints(r);
+    vtkNew<vtkVertexGlyphFilter> vertices;
+    vertices->SetInputData(data);
+    Add(r, Make(vertices.Get()))->GetProperty()->SetPointSize(3.f);
+    vtkNew<vtkSelectVisiblePoints> visible;
+    visible->SetInputData(data);
+    visible->SetRenderer(r);
+    visible->SetTolerance(0.001);
+    vtkNew<vtkLabeledDataMapper> mapper;
+    mapper->SetInputConnection(visible->GetOutputPort());
+    AddLabels(r, mapper);
+  });
   for (const int shape : { vtkLabelPlacementMapper::NONE, vtkLabelPlacementMapper::ROUNDED_RECT })
   {
     for (const bool invisible : { false, true })

@@ -16,11 +16,13 @@ std::vector<double> FindOpaqueDepths(const RayScene& rays, const std::vector<glm
 {
   const Scene& scene = rays.GetScene();
   const Camera& camera = scene.ViewCamera;
-  // As in VTK, whose translucent actors leave the depth buffer as it is.
+  // As in VTK, whose translucent actors leave the depth buffer as it is. Lines and points are moved
+  // toward the camera, and would hide the labels of these points.
   std::vector<char> hides;
   for (const Surface& surface : scene.Surfaces)
   {
-    hides.push_back(!surface.HidesLines && (surface.ForceOpaque || !surface.IsTranslucent()));
+    hides.push_back(!surface.HidesLines && !surface.IsLineOrPoint &&
+      (surface.ForceOpaque || !surface.IsTranslucent()));
   }
   std::vector<double> depths;
   depths.reserve(points.size());

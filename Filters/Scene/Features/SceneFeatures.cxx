@@ -167,7 +167,9 @@ const std::vector<FeatureRow>& GetFeatureTable()
       "Labels are in front of the scene.", "" },
     { Feature::VisiblePoints, Drawn,
       "vtkSelectVisiblePoints before these mappers or vtkPointSetToLabelHierarchy",
-      "Points are compared with the depths of rays; the window need not have rendered.", "" },
+      "Points are compared with the depths of surfaces along rays; the window need not have "
+      "rendered.",
+      "" },
     { Feature::FilteredVisiblePoints, Approximated,
       "vtkSelectVisiblePoints before other filters of labels",
       "the labels are those of the points that the last image of the window showed.",
