@@ -134,15 +134,15 @@ int FindLevel(vtkUnstructuredGrid* faces, const ProgressCallback& progress)
   return level;
 }
 
-/// A face of a three-dimensional cell. Cells that share a face have faces of the same points.
+/// A face of a three-dimensional cell. Cells that share a face have faces of the same corners.
 struct CellFace
 {
-  std::uint64_t Hash; ///< of the ids of the points
+  std::uint64_t Hash; ///< of the ids of the corners
   vtkIdType Lowest;   ///< lowest id
   vtkIdType Cell;
   int Index;
 
-  bool HasSamePoints(const CellFace& other) const
+  bool HasSameCorners(const CellFace& other) const
   {
     return this->Hash == other.Hash && this->Lowest == other.Lowest;
   }
@@ -150,7 +150,10 @@ struct CellFace
 
 CellFace MakeCellFace(vtkCell* face, vtkIdType cell, int index, std::vector<vtkIdType>& ids)
 {
-  ids.assign(face->GetPointIds()->begin(), face->GetPointIds()->end());
+  // The corners are the first points, and there are as many edges.
+  const vtkIdType* points = face->GetPointIds()->GetPointer(0);
+  ids.assign(
+    points, points + std::min<vtkIdType>(face->GetNumberOfEdges(), face->GetNumberOfPoints()));
   std::sort(ids.begin(), ids.end());
   std::uint64_t hash = 0xcbf29ce484222325u; // Fowler-Noll-Vo, with a shift for the high bits
   for (const vtkIdType id : ids)
@@ -186,8 +189,8 @@ std::vector<CellFace> FindOuterFaces(
   std::vector<CellFace> outer;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    if ((i == 0 || !faces[i].HasSamePoints(faces[i - 1])) &&
-      (i + 1 == faces.size() || !faces[i].HasSamePoints(faces[i + 1])))
+    if ((i == 0 || !faces[i].HasSameCorners(faces[i - 1])) &&
+      (i + 1 == faces.size() || !faces[i].HasSameCorners(faces[i + 1])))
     {
       outer.push_back(faces[i]);
     }

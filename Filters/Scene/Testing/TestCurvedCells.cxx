@@ -7,13 +7,19 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCellTypeSource.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
+#include "vtkLagrangeHexahedron.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTriangle.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkUnstructuredGridGeometryFilter.h"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <vector>
 
 using namespace penumbra;
@@ -89,6 +96,43 @@ double ComputeArea(vtkPolyData* surface)
     area += vtkTriangle::TriangleArea(&x[0].x, &x[1].x, &x[2].x);
   }
   return area;
+}
+
+/// Bends a grid.
+void Bend(vtkPoints* points)
+{
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    glm::dvec3 x;
+    points->GetPoint(i, &x.x);
+    x += 0.1 * glm::dvec3(std::sin(2.0 * x.y), std::sin(1.7 * x.z), std::sin(1.3 * x.x));
+    points->SetPoint(i, x.x, x.y, x.z);
+  }
+}
+
+/// Compares the outer faces of a grid with those that VTK finds.
+void ExpectFacesOfVTK(vtkUnstructuredGrid* grid)
+{
+  const vtkSmartPointer<vtkPolyData> surface = ExtractCurvedSurface(grid, "Ids");
+  ASSERT_TRUE(surface);
+  vtkNew<vtkUnstructuredGridGeometryFilter> faces;
+  faces->SetInputData(grid);
+  faces->MergingOff();
+  vtkNew<vtkDataSetSurfaceFilter> triangles;
+  triangles->SetInputConnection(faces->GetOutputPort());
+  triangles->SetNonlinearSubdivisionLevel(4);
+  triangles->Update();
+  vtkDataArray* ids = surface->GetCellData()->GetArray(CurvedFaceIds);
+  std::set<double> found;
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    found.insert(ids->GetComponent(i, 0));
+  }
+  auto* cells = vtkUnstructuredGrid::SafeDownCast(faces->GetOutputDataObject(0));
+  EXPECT_EQ(static_cast<vtkIdType>(found.size()), cells->GetNumberOfCells());
+  const double area = ComputeArea(triangles->GetOutput());
+  EXPECT_GT(area, 0.0);
+  EXPECT_NEAR(ComputeArea(surface), area, 2e-3 * area);
 }
 
 std::vector<LineSegment> FindEdges(vtkPolyData* surface)
@@ -184,4 +228,65 @@ TEST(CurvedCells, AreLeftToOtherFiltersIfThereAreNone)
   AddCell(grid, VTK_TRIANGLE, { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
   EXPECT_FALSE(ExtractCurvedSurface(grid, "Ids"));
   EXPECT_FALSE(ExtractCurvedSurface(vtkNew<vtkPolyData>(), "Ids"));
+}
+
+TEST(CurvedCells, HaveTheOuterFacesThatVTKFinds)
+{
+  for (const int type :
+    { VTK_QUADRATIC_HEXAHEDRON, VTK_TRIQUADRATIC_HEXAHEDRON, VTK_QUADRATIC_TETRA,
+      VTK_QUADRATIC_WEDGE, VTK_QUADRATIC_PYRAMID, VTK_QUADRATIC_QUAD, VTK_LAGRANGE_HEXAHEDRON,
+      VTK_LAGRANGE_TETRAHEDRON, VTK_LAGRANGE_WEDGE, VTK_LAGRANGE_TRIANGLE })
+  {
+    SCOPED_TRACE(type);
+    vtkNew<vtkCellTypeSource> source;
+    source->SetCellType(type);
+    source->SetCellOrder(3);
+    source->SetBlocksDimensions(3, 2, 2);
+    source->Update();
+    vtkUnstructuredGrid* grid = source->GetOutput();
+    Bend(grid->GetPoints());
+    ExpectFacesOfVTK(grid);
+  }
+}
+
+TEST(CurvedCells, HaveNoFacesOfGhosts)
+{
+  vtkNew<vtkCellTypeSource> source;
+  source->SetCellType(VTK_QUADRATIC_HEXAHEDRON);
+  source->SetBlocksDimensions(2, 1, 1);
+  source->Update();
+  vtkUnstructuredGrid* grid = source->GetOutput();
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->InsertNextValue(vtkDataSetAttributes::DUPLICATECELL);
+  ghosts->InsertNextValue(0);
+  grid->GetCellData()->AddArray(ghosts);
+  // Neither the five faces of the ghost nor the one between the cells: five squares of side 1.
+  EXPECT_NEAR(ComputeArea(ExtractCurvedSurface(grid, "Ids")), 5.0, 1e-6);
+}
+
+TEST(CurvedCells, HaveFacesOfDifferentDegrees)
+{
+  const int order[3] = { 1, 2, 4 };
+  std::vector<glm::dvec3> x(2 * 3 * 5);
+  for (int k = 0; k <= order[2]; ++k)
+  {
+    for (int j = 0; j <= order[1]; ++j)
+    {
+      for (int i = 0; i <= order[0]; ++i)
+      {
+        x[vtkLagrangeHexahedron::PointIndexFromIJK(i, j, k, order)] = { 1.0 * i, 0.5 * j,
+          0.25 * k };
+      }
+    }
+  }
+  vtkNew<vtkUnstructuredGrid> grid;
+  AddCell(grid, VTK_LAGRANGE_HEXAHEDRON, x);
+  Bend(grid->GetPoints());
+  vtkNew<vtkDoubleArray> degrees;
+  degrees->SetName("Degrees");
+  degrees->SetNumberOfComponents(3);
+  degrees->InsertNextTuple3(order[0], order[1], order[2]);
+  grid->GetCellData()->SetHigherOrderDegrees(degrees);
+  ExpectFacesOfVTK(grid);
 }
