@@ -68,8 +68,13 @@ void AddVisiblePoints(SceneList& add)
     visible->SetInputData(data);
     visible->SetRenderer(r);
     visible->SetTolerance(0.001);
-    vtkNew<vtkLabeledDataMapper> mapper;
-    mapper->SetInputConnection(visible->GetOutputPort());
+    vtkNew<vtkPointSetToLabelHierarchy> hierarchy;
+    hierarchy->SetInputConnection(visible->GetOutputPort());
+    hierarchy->SetLabelArrayName("Names");
+    vtkNew<vtkLabelPlacementMapper> mapper;
+    mapper->SetInputConnection(hierarchy->GetOutputPort());
+    mapper->SetShape(vtkLabelPlacementMapper::RECT);
+    mapper->SetBackgroundColor(0.2, 0.5, 0.2);
     AddLabels(r, mapper);
   });
   for (const int shape : { vtkLabelPlacementMapper::NONE, vtkLabelPlacementMapper::ROUNDED_RECT })
