@@ -134,7 +134,7 @@ std::vector<RecordCandidate> FindObstacles(const std::vector<RecordCandidate>& s
   const RecordPlacement& placement, const ProgressCallback& progress)
 {
   std::vector<RecordCandidate> found(chosen.size());
-  ForEach(chosen.size(), 1.0, progress, [&](int i) {
+  ForEach(chosen.size(), 0.0, progress, [&](int i) {
     RecordCandidate& site = found[i];
     site = sites[chosen[i]];
     site.ObstacleDistance =

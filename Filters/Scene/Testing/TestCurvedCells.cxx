@@ -20,6 +20,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkUnstructuredGridGeometryFilter.h"
+#include "vtkVersionMacros.h"
 
 #include <gtest/gtest.h>
 
@@ -244,6 +245,12 @@ TEST(CurvedCells, HaveTheOuterFacesThatVTKFinds)
     source->SetBlocksDimensions(3, 2, 2);
     source->Update();
     vtkUnstructuredGrid* grid = source->GetOutput();
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+    if (grid->GetNumberOfCells() == 0)
+    {
+      continue; // the source does not make this type
+    }
+#endif
     Bend(grid->GetPoints());
     ExpectFacesOfVTK(grid);
   }
