@@ -15,10 +15,17 @@ namespace penumbra
 
 struct LightBenchmark
 {
-  std::string Data;   ///< folder with head.ply
-  std::string Output; ///< folder for results
-  std::string PovRay; ///< program; empty: no comparison with it
+  std::string Data;             ///< folder with head.ply
+  std::string Output;           ///< folder for results
+  std::string PovRay;           ///< program; empty: no comparison with it
+  std::string Width;            ///< of the images of the part "occlusion", in pixels; empty: 500
+  std::string Mesh;             ///< part of the names of its meshes; empty: all
+  std::string InverseTolerance; ///< of its images; empty: 256
+  std::string Provider;         ///< of its occlusion: "brute-force" or "cache"; empty: the default
   ResultTable Results;
+
+  /// Tolerance of light relative to that of the image, see vtkPenumbraRayCaster::SetLightTolerance().
+  static constexpr double LightFactor = 2.56;
 };
 
 /// Irradiance of the cache under skies of one color and under environment maps, one with a sun, in scenes
@@ -42,6 +49,9 @@ void ComparePenumbrae(LightBenchmark& benchmark);
 
 /// Occlusion of a floor by translucent panes, by rays, cache, baking and the traced estimator.
 void MeasurePanes(LightBenchmark& benchmark);
+
+/// Ambient occlusion of meshes at the default settings: accuracy and cost of images.
+void MeasureOcclusion(LightBenchmark& benchmark);
 
 /// CPU seconds of this process.
 inline double Seconds()

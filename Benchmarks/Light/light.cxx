@@ -29,11 +29,15 @@ int main(int argc, char** argv)
   Program program;
   program.Name = "light";
   program.Title = "Light: measurements and targets";
-  program.Usage = "--data FOLDER --output FOLDER [--povray PROGRAM] [--only "
-                  "skies|baking|emitters|box|panes|penumbrae|povray]";
+  program.Usage = "--data FOLDER --output FOLDER [--povray PROGRAM] [--width N] [--mesh NAME] "
+                  "[--inverse-tolerance N] [--provider brute-force|cache] [--only "
+                  "occlusion|skies|baking|emitters|box|panes|penumbrae|povray]";
   program.Values = { { "--data", &benchmark.Data, true }, { "--output", &benchmark.Output, true },
-    { "--povray", &benchmark.PovRay } };
+    { "--povray", &benchmark.PovRay }, { "--width", &benchmark.Width },
+    { "--mesh", &benchmark.Mesh }, { "--inverse-tolerance", &benchmark.InverseTolerance },
+    { "--provider", &benchmark.Provider } };
   program.Parts = {
+    { "occlusion", [&] { MeasureOcclusion(benchmark); } },
     { "skies", [&] { MeasureSkies(benchmark); } },
     { "baking", [&] { MeasureBakedSkies(benchmark); } },
     { "emitters", [&] { MeasureEmitters(benchmark); } },

@@ -190,7 +190,7 @@ vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(
   }
   caster->SetAlbedo(light.Albedo);
   caster->SetBounces(light.Bounces);
-  if (options.AmbientOcclusion || light.Indirect)
+  if ((options.AmbientOcclusion || light.Indirect) && options.Cache != "none")
   {
     vtkNew<vtkPenumbraIrradianceCache> cache;
     cache->SetSpace(options.Cache == "screen" ? vtkPenumbraIrradianceCache::SCREEN

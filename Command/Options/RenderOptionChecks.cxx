@@ -157,6 +157,7 @@ std::vector<std::string> FindIgnoredOptions(const CommandLine& app, const Render
     { "--cache", ray && !options.AmbientOcclusion && !options.Light.Indirect,
       "without --ambient-occlusion or --indirect" },
     { "--gatherer", !ray, "with --engine raster" },
+    { "--gatherer", ray && options.Cache == "none", "with --cache none" },
     { "--gatherer", ray && !options.AmbientOcclusion && !options.Light.Indirect,
       "without --ambient-occlusion or --indirect" },
     { "--environment-color", !options.Light.Indirect, "without --indirect" },

@@ -8,6 +8,7 @@
 #include "Image/LayerCompositing.h"
 #include "Import/SceneExtraction.h"
 #include "Import/SceneModificationTime.h"
+#include "Light/OcclusionRays.h"
 #include "Media/MediumExtraction.h"
 #include "PhaseTimer.h"
 #include "Sampling/OpaqueDepths.h"
@@ -24,6 +25,7 @@
 #include "vtkMath.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -246,7 +248,8 @@ void vtkPenumbraRayCaster::Internals::WarnOnce(
   }
 }
 
-penumbra::RenderSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenumbraRayCaster* self)
+penumbra::RenderSettings vtkPenumbraRayCaster::Internals::MakeSettings(
+  vtkPenumbraRayCaster* self) const
 {
   penumbra::RenderSettings settings;
   settings.UsePackets = self->UsePackets;
@@ -257,12 +260,27 @@ penumbra::RenderSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenumb
   settings.Integration.FindSmallObjects = self->FindSmallObjects;
   settings.Integration.Shadows = self->GetShadows();
   settings.Integration.UniformSamples = self->UniformSamples;
-  if (self->GetAmbientOcclusion() || self->IndirectLight)
+  if ((self->GetAmbientOcclusion() || self->IndirectLight) && !this->JoinsPixels(self))
   {
     settings.Integration.LightTolerance = self->GetEffectiveLightTolerance();
     settings.Integration.Noise = SampleToleranceFactor * self->GetEffectiveLightTolerance();
   }
   return settings;
+}
+
+double vtkPenumbraRayCaster::Internals::FindOcclusionRadius(vtkPenumbraRayCaster* self) const
+{
+  const double radius = this->FindOcclusion(self).Radius;
+  return radius > 0.0
+    ? radius
+    : penumbra::DefaultRadiusFraction * penumbra::ComputeSceneDiagonal(this->Prepared->SceneData);
+}
+
+// Occlusion does not act on indirect light and on the light of a medium.
+bool vtkPenumbraRayCaster::Internals::JoinsPixels(vtkPenumbraRayCaster* self) const
+{
+  return this->IrradianceProvider == this->DefaultProvider && self->CoverageMethod != UNIFORM &&
+    this->FindOcclusion(self).On && !self->IndirectLight && !this->Medium;
 }
 
 bool vtkPenumbraRayCaster::Internals::BeginProvider(
@@ -278,17 +296,14 @@ bool vtkPenumbraRayCaster::Internals::BeginProvider(
   };
   if (occlusion)
   {
-    const double radius = settings.Radius > 0.0
-      ? settings.Radius
-      : penumbra::DefaultRadiusFraction * penumbra::ComputeSceneDiagonal(this->Prepared->SceneData);
-    if (!this->IrradianceProvider->Begin(
-          *this->Prepared->Rays, { radius, self->AmbientOcclusionFalloff }, noise, progress))
+    if (!this->IrradianceProvider->Begin(*this->Prepared->Rays,
+          { this->FindOcclusionRadius(self), self->AmbientOcclusionFalloff }, noise, progress))
     {
       return false;
     }
     done = phaseFraction;
   }
-  if (settings.On)
+  if (settings.On && !this->JoinsPixels(self))
   {
     tracer.SetOcclusion(this->IrradianceProvider, settings.Strength, noise);
   }
@@ -325,6 +340,8 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   const double lightTolerance = self->GetEffectiveLightTolerance();
   tracer.SetPenumbraTolerance(SampleToleranceFactor * lightTolerance);
   penumbra::RenderSettings settings = MakeSettings(self);
+  const bool joins = this->JoinsPixels(self);
+  tracer.SetOcclusionStrength(this->FindOcclusion(self).Strength);
   const bool usesProvider = self->GetAmbientOcclusion() || self->IndirectLight ||
     (self->GeometryArrays && self->OcclusionArray);
   if (usesProvider && !this->BeginProvider(self, tracer))
@@ -345,7 +362,18 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   {
     settings.Integration.LightTolerance = lightTolerance;
   }
-  this->TileTolerance = settings.Integration.GetTileTolerance();
+  if (joins)
+  {
+    settings.Occlusion = std::make_shared<penumbra::OcclusionRays>(*this->Prepared->Rays,
+      penumbra::DistanceFalloff::InScene(
+        this->FindOcclusionRadius(self), self->AmbientOcclusionFalloff, scene.Scale),
+      lightTolerance);
+    settings.OcclusionTolerance = lightTolerance;
+    settings.KeepsOcclusion = self->GeometryArrays && self->OcclusionArray;
+  }
+  penumbra::IntegrationSettings limits = settings.Integration;
+  limits.LightTolerance = settings.HasLightErrors() ? lightTolerance : 0.0;
+  this->TileTolerance = limits.GetTileTolerance();
   if (shafts && shafts->GetMedium().AttenuatesSurfaceLight)
   {
     shading.SetAttenuation(&shafts->GetMedium());
@@ -367,12 +395,16 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   }
   if (this->InspectImage)
   {
+    if (joins)
+    {
+      tracer.SetOcclusion(this->IrradianceProvider, this->FindOcclusion(self).Strength,
+        SampleToleranceFactor * lightTolerance);
+    }
     this->InspectImage(tracer, this->Prepared->Edges);
   }
   if (self->CoverageMethod != UNIFORM)
   {
-    const std::string missed =
-      penumbra::DescribeMissedTolerance(settings.Integration, totals, image);
+    const std::string missed = penumbra::DescribeMissedTolerance(limits, totals, image);
     if (!missed.empty())
     {
       vtkWarningWithObjectMacro(self, << missed);
@@ -380,7 +412,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   }
   if (self->GeometryArrays)
   {
-    tracer.SetOcclusion(self->OcclusionArray ? this->IrradianceProvider.Get() : nullptr,
+    tracer.SetOcclusion(self->OcclusionArray && !joins ? this->IrradianceProvider.Get() : nullptr,
       self->AmbientOcclusionStrength, SampleToleranceFactor * lightTolerance);
     const auto geometry = [self, progressEnd](double done) {
       return ReportProgress(self, progressEnd + (1.0 - progressEnd) * done);

@@ -57,8 +57,9 @@ struct vtkPenumbraRayCaster::Internals
   vtkSmartPointer<vtkRenderer> Renderer;
   std::optional<bool> Shadows;          ///< if not set, as Renderer
   std::optional<bool> AmbientOcclusion; ///< if not set, as Renderer
-  vtkSmartPointer<vtkPenumbraIrradianceProvider> IrradianceProvider =
+  const vtkSmartPointer<vtkPenumbraIrradianceProvider> DefaultProvider =
     vtkSmartPointer<vtkPenumbraBruteForceIrradiance>::New();
+  vtkSmartPointer<vtkPenumbraIrradianceProvider> IrradianceProvider = DefaultProvider;
   vtkSmartPointer<vtkPenumbraMedium> Medium;
   vtkSmartPointer<vtkPenumbraEnvironment> Environment;
   penumbra::LightSizes SizedLights;
@@ -93,11 +94,14 @@ struct vtkPenumbraRayCaster::Internals
   bool Execute(vtkPenumbraRayCaster* self, vtkImageData* image);
   void AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image);
   void AddLayer(vtkPenumbraRayCaster* self, vtkRenderer* layer, bool isAbove, vtkImageData* image);
+  double FindOcclusionRadius(vtkPenumbraRayCaster* self) const;
+  /// Returns true if the occlusion is estimated for all pixels together, without a provider.
+  bool JoinsPixels(vtkPenumbraRayCaster* self) const;
   bool BeginProvider(vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer);
   void Report(const penumbra::ImageTotals& totals, vtkIdType pixels);
   /// Adds the statistics, the tolerances and the estimated errors to the field data of the image.
   void AddFieldData(vtkPenumbraRayCaster* self, vtkImageData* image);
-  static penumbra::RenderSettings MakeSettings(vtkPenumbraRayCaster* self);
+  penumbra::RenderSettings MakeSettings(vtkPenumbraRayCaster* self) const;
 };
 
 #endif

@@ -92,14 +92,11 @@ bool vtkPenumbraRayCaster::GetAmbientOcclusion()
 
 void vtkPenumbraRayCaster::SetIrradianceProvider(vtkPenumbraIrradianceProvider* provider)
 {
-  if (this->Implementation->IrradianceProvider != provider)
+  Internals& internals = *this->Implementation;
+  vtkPenumbraIrradianceProvider* const used = provider ? provider : internals.DefaultProvider.Get();
+  if (internals.IrradianceProvider != used)
   {
-    this->Implementation->IrradianceProvider = provider;
-    if (!provider)
-    {
-      this->Implementation->IrradianceProvider =
-        vtkSmartPointer<vtkPenumbraBruteForceIrradiance>::New();
-    }
+    internals.IrradianceProvider = used;
     this->Modified();
   }
 }

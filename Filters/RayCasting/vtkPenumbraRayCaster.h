@@ -264,8 +264,9 @@ public:
 
   ///@{
   /**
-   * Object that computes ambient occlusion and irradiance.
-   * Default: vtkPenumbraBruteForceIrradiance.
+   * Object that computes ambient occlusion and irradiance at points. Default: a
+   * vtkPenumbraBruteForceIrradiance of this object; then the ambient occlusion of an image is estimated
+   * for all pixels together, which takes far fewer rays, unless there is indirect light or a medium.
    */
   virtual void SetIrradianceProvider(vtkPenumbraIrradianceProvider* provider);
   vtkPenumbraIrradianceProvider* GetIrradianceProvider();

@@ -42,7 +42,12 @@ bool AddGeometryArrays(const CameraRayTracer& tracer, const ProgressCallback& pr
   AddArray(normals.Get(), "Normal", 3, image);
   AddArray(objects.Get(), "ObjectId", 1, image);
   AddArray(cells.Get(), "CellId", 1, image);
-  AddArray(occlusions.Get(), "AmbientOcclusion", 1, image);
+  vtkFloatArray* const means =
+    vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("AmbientOcclusion"));
+  if (!means)
+  {
+    AddArray(occlusions.Get(), "AmbientOcclusion", 1, image);
+  }
 
   const Scene& scene = tracer.GetScene();
   int extent[6];
@@ -66,7 +71,7 @@ bool AddGeometryArrays(const CameraRayTracer& tracer, const ProgressCallback& pr
         normals->SetTypedComponent(id, 2, 0.f);
         objects->SetValue(id, -1);
         cells->SetValue(id, -1);
-        occlusions->SetValue(id, 0.f);
+        (means ? means : occlusions.Get())->SetValue(id, 0.f);
         continue;
       }
       const Surface& surface = scene.Surfaces[hit.Surface];
@@ -79,9 +84,12 @@ bool AddGeometryArrays(const CameraRayTracer& tracer, const ProgressCallback& pr
       }
       objects->SetValue(id, surface.ObjectId);
       cells->SetValue(id, surface.GetCellId(hit.Primitive));
-      occlusions->SetValue(id,
-        tracer.HasOcclusion() ? tracer.ComputeOcclusion(ray, hit, shaded, rowCounts)
-                              : std::numeric_limits<float>::quiet_NaN());
+      if (!means)
+      {
+        occlusions->SetValue(id,
+          tracer.HasOcclusion() ? tracer.ComputeOcclusion(ray, hit, shaded, rowCounts)
+                                : std::numeric_limits<float>::quiet_NaN());
+      }
     }
     const std::lock_guard<std::mutex> lock(totalsMutex);
     counts.Auxiliary += rowCounts.Auxiliary + rowCounts.Shadow + rowCounts.Occlusion;

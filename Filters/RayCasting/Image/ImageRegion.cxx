@@ -9,6 +9,7 @@
 #include "Edges/UnsteadyNormals.h"
 #include "Execution/ParallelFor.h"
 #include "InstanceEdges.h"
+#include "Light/OcclusionField.h"
 #include "Scene.h"
 #include "Surface.h"
 
@@ -29,6 +30,19 @@ constexpr int TileSide = 32;
 constexpr std::size_t EdgesPerOutline = 80;
 // Side of the tiles in pixels whose RMSE the tolerance bounds.
 constexpr int ErrorTileSide = 16;
+
+// Fraction of the progress for ambient occlusion.
+constexpr double OcclusionProgress = 0.6;
+
+/// Returns a callback that reports a fraction of the work as one of [from, to].
+ProgressCallback ScaleProgress(const ProgressCallback& progress, double from, double to)
+{
+  if (!progress)
+  {
+    return {};
+  }
+  return [=, &progress](double fraction) { return progress(from + (to - from) * fraction); };
+}
 
 /// The tiles that cover the pixels [low, high).
 struct Tiles
@@ -225,7 +239,32 @@ void UpdateSceneEdges(const Scene& scene, const RenderSettings& settings,
   }
 }
 
-bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
+namespace
+{
+
+/// Multiplies the colors of a region by the factors of its ambient occlusion.
+void ApplyOcclusion(const OcclusionField& field, ImageRegion& region)
+{
+  for (int y = region.Low.y; y < region.High.y; ++y)
+  {
+    for (int x = region.Low.x; x < region.High.x; ++x)
+    {
+      const OcclusionField::Factor factor = field.At(x, y);
+      const std::size_t index = region.Index(x, y);
+      glm::vec4& color = region.Colors[index];
+      color = glm::vec4(factor.Value * glm::vec3(color), color.a);
+      region.Errors[index] = std::hypot(region.Errors[index], factor.Error);
+      region.LightErrors[index] = std::hypot(region.LightErrors[index], factor.Error);
+      if (!region.Occlusions.empty())
+      {
+        region.Occlusions[index] = field.GetMean(x, y);
+      }
+    }
+  }
+}
+
+/// Renders a region without the ambient occlusion of `settings`.
+bool RenderUnoccluded(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   const RenderSettings& settings, const ProgressCallback& progress, ImageRegion& region)
 {
   const Scene& scene = tracer.GetScene();
@@ -233,7 +272,7 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   const std::size_t pixels = static_cast<std::size_t>(size.x) * size.y;
   region.Colors.resize(pixels);
   region.Errors.resize(pixels);
-  region.LightErrors.resize(settings.Integration.LightTolerance > 0.0 ? pixels : 0);
+  region.LightErrors.resize(settings.HasLightErrors() ? pixels : 0);
   region.RaysPerPixel.resize(pixels);
   std::mutex totals;
 
@@ -329,6 +368,27 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
       region.Rays += integrator.Rays;
       region.Pixels += integrator.Pixels;
     });
+}
+
+}
+
+bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
+  const RenderSettings& settings, const ProgressCallback& progress, ImageRegion& region)
+{
+  if (!settings.Occlusion)
+  {
+    return RenderUnoccluded(tracer, sceneEdges, settings, progress, region);
+  }
+  const OcclusionField field(tracer, *settings.Occlusion, settings.OcclusionTolerance, region.Low,
+    region.High, ScaleProgress(progress, 0.0, OcclusionProgress), region.Rays);
+  if (!RenderUnoccluded(
+        tracer, sceneEdges, settings, ScaleProgress(progress, OcclusionProgress, 1.0), region))
+  {
+    return false;
+  }
+  region.Occlusions.resize(settings.KeepsOcclusion ? region.Colors.size() : 0);
+  ApplyOcclusion(field, region);
+  return true;
 }
 
 }

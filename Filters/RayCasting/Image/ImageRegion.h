@@ -8,8 +8,10 @@
 #include "Coverage/PixelIntegrator.h"
 #include "Edges/MeshEdges.h"
 #include "Execution/ParallelFor.h"
+#include "Light/OcclusionRays.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
+#include <memory>
 #include <vector>
 
 namespace penumbra
@@ -19,7 +21,14 @@ namespace penumbra
 struct RenderSettings
 {
   IntegrationSettings Integration;
+  std::shared_ptr<const OcclusionRays>
+    Occlusion; ///< null: none beside that of the camera ray tracer
+  double OcclusionTolerance = 0.0;
+  bool KeepsOcclusion = false; ///< if on, the region stores the mean occlusion of each pixel
   bool UsePackets = true; ///< If on, trace corner rays in packets of 16.
+
+  /// Returns true if light effects add an error of their own.
+  bool HasLightErrors() const { return this->Integration.LightTolerance > 0.0 || this->Occlusion; }
 };
 
 /// Mesh edges of a scene at which the image may be discontinuous. They are computed once for all
@@ -49,6 +58,7 @@ struct ImageRegion
   std::vector<glm::vec4> Colors;   ///< not premultiplied by alpha
   std::vector<float> Errors;       ///< estimated RMS error per pixel
   std::vector<float> LightErrors;  ///< part that light effects cause; empty without them
+  std::vector<float> Occlusions;   ///< mean of the surfaces in each pixel; may be empty
   std::vector<float> RaysPerPixel; ///< refinement rays; uniform sampling: all rays
   RayCounts Rays;
   PixelCounts Pixels;

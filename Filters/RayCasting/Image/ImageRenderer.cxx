@@ -54,6 +54,7 @@ void CopyRows(ImageRegion& region, const Overlay& overlay, vtkImageData* image, 
   vtkFloatArray* rays = find("Rays");
   vtkFloatArray* errors = find("EstimatedError");
   vtkFloatArray* lightErrors = find("EstimatedLightError");
+  vtkFloatArray* occlusions = find("AmbientOcclusion");
   int extent[6];
   image->GetExtent(extent);
   const int width = extent[1] - extent[0] + 1;
@@ -65,6 +66,10 @@ void CopyRows(ImageRegion& region, const Overlay& overlay, vtkImageData* image, 
     std::copy_n(&region.Colors[from].x, 4 * width, color->GetPointer(4 * to));
     std::copy_n(&region.RaysPerPixel[from], width, rays->GetPointer(to));
     totals.SquaredError += CopyRow(&region.Errors[from], width, errors, to);
+    if (occlusions)
+    {
+      std::copy_n(&region.Occlusions[from], width, occlusions->GetPointer(to));
+    }
     if (lightErrors)
     {
       totals.SquaredLightError += CopyRow(&region.LightErrors[from], width, lightErrors, to);
@@ -81,9 +86,13 @@ bool RenderImage(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   AddFloatArray(image, "Color", 4);
   AddFloatArray(image, "Rays", 1);
   AddFloatArray(image, "EstimatedError", 1);
-  if (settings.Integration.LightTolerance > 0.0)
+  if (settings.HasLightErrors())
   {
     AddFloatArray(image, "EstimatedLightError", 1);
+  }
+  if (settings.KeepsOcclusion)
+  {
+    AddFloatArray(image, "AmbientOcclusion", 1);
   }
   image->GetPointData()->SetActiveScalars("Color");
 

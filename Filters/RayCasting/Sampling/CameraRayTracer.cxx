@@ -113,7 +113,7 @@ void CameraRayTracer::AddMedium(
 
 void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& sample,
   RayCounts& counts, double toleranceScale, std::uint32_t penumbrae,
-  std::vector<PenumbraNeighbors>* neighbors) const
+  std::vector<PenumbraNeighbors>* neighbors, std::vector<OccludedLayer>* layers) const
 {
   if (neighbors)
   {
@@ -165,7 +165,13 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
       this->SurfaceShading.Shade(ray, hit, counts.Shadow, hasPenumbrae ? &lights : nullptr);
     glm::vec4 c = shaded.Color;
     c.a = edges.FindOpacity(surface, ray, hit, shaded);
-    if (this->UsesIrradianceProvider() && !surface.IsLineOrPoint)
+    if (layers && !surface.IsLineOrPoint && remaining * c.a > 0.f)
+    {
+      layers->push_back(this->MakeOccludedLayer(ray, hit, glm::dvec3(shaded.GeometricNormal)));
+      layers->back().Color =
+        this->Lighting.GetStrength(surface) * remaining * c.a * tint * glm::vec3(c);
+    }
+    else if (!layers && this->UsesIrradianceProvider() && !surface.IsLineOrPoint)
     {
       lighting.Apply(ray, hit, shaded, remaining * c.a, tint, c, sample.Color, counts);
     }
@@ -222,12 +228,9 @@ Sample CameraRayTracer::ShadeSample(
   return sample;
 }
 
-void CameraRayTracer::TracePacket(const glm::dvec2* points, unsigned int active, Sample* samples,
-  RayCounts& counts, double toleranceScale, std::uint32_t penumbrae,
-  std::vector<PenumbraNeighbors>* neighbors) const
+void CameraRayTracer::TraceHits(
+  const glm::dvec2* points, unsigned int active, Ray* rays, Hit* hits) const
 {
-  Ray rays[PacketSize];
-  Hit hits[PacketSize];
   for (int i = 0; i < PacketSize; ++i)
   {
     if (active >> i & 1u)
@@ -241,6 +244,15 @@ void CameraRayTracer::TracePacket(const glm::dvec2* points, unsigned int active,
     }
   }
   this->Rays.Intersect16(rays, hits);
+}
+
+void CameraRayTracer::TracePacket(const glm::dvec2* points, unsigned int active, Sample* samples,
+  RayCounts& counts, double toleranceScale, std::uint32_t penumbrae,
+  std::vector<PenumbraNeighbors>* neighbors) const
+{
+  Ray rays[PacketSize];
+  Hit hits[PacketSize];
+  this->TraceHits(points, active, rays, hits);
   for (int i = 0; i < PacketSize; ++i)
   {
     if (active >> i & 1u)
@@ -249,6 +261,51 @@ void CameraRayTracer::TracePacket(const glm::dvec2* points, unsigned int active,
       samples[i].FirstHit = hits[i];
       this->CompositeLayers(
         points[i], rays[i], samples[i], counts, toleranceScale, penumbrae, neighbors);
+    }
+  }
+}
+
+OccludedLayer CameraRayTracer::MakeOccludedLayer(
+  const Ray& ray, const Hit& hit, glm::dvec3 normal) const
+{
+  const glm::dvec3 geometric = glm::normalize(normal);
+  OccludedLayer layer;
+  layer.Where = hit;
+  layer.Position = ray.Origin + hit.Distance * ray.Direction;
+  layer.Normal = glm::vec3(this->Rays.GetSmoothNormal(hit, geometric));
+  layer.Geometric = glm::vec3(geometric);
+  return layer;
+}
+
+void CameraRayTracer::TraceLayers(const glm::dvec2* points, unsigned int active,
+  unsigned int shaded, Sample* samples, std::vector<OccludedLayer>* layers, RayCounts& counts) const
+{
+  Ray rays[PacketSize];
+  Hit hits[PacketSize];
+  this->TraceHits(points, active, rays, hits);
+  for (int i = 0; i < PacketSize; ++i)
+  {
+    layers[i].clear();
+    if (!(active >> i & 1u))
+    {
+      continue;
+    }
+    samples[i] = Sample();
+    samples[i].FirstHit = hits[i];
+    if (!hits[i].IsHit())
+    {
+      samples[i].Color = this->GetBackground(points[i]);
+    }
+    else if (shaded >> i & 1u || this->Translucent || !this->Kinds.empty() ||
+      this->GetScene().Surfaces[hits[i].Surface].IsLineOrPoint)
+    {
+      this->CompositeLayers(points[i], rays[i], samples[i], counts, 1.0, 0, nullptr, &layers[i]);
+    }
+    else
+    {
+      const glm::dvec3 normal(this->Rays.GetNormal(rays[i], hits[i]));
+      const bool isBehind = glm::dot(normal, glm::dvec3(rays[i].Direction)) > 0.0;
+      layers[i].push_back(this->MakeOccludedLayer(rays[i], hits[i], isBehind ? -normal : normal));
     }
   }
 }

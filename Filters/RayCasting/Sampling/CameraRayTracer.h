@@ -33,6 +33,16 @@ struct Sample
   std::uint32_t ShadowedFrom = 0;           ///< lights with a size that single rays did not reach
 };
 
+/// A layer of a camera ray on which ambient occlusion acts.
+struct OccludedLayer
+{
+  Hit Where;
+  glm::vec3 Position{ 0.f };  ///< scene coordinates
+  glm::vec3 Normal{ 0.f };    ///< shading normal (unit) on the side of the camera
+  glm::vec3 Geometric{ 0.f }; ///< normal of the surface (unit) on the same side
+  glm::vec3 Color{ 0.f };     ///< part of the color of the ray that complete occlusion removes
+};
+
 /// Computes the color of image points. All methods but the setters may be called from any thread.
 class VTKPENUMBRAFILTERSRAYCASTING_EXPORT CameraRayTracer
 {
@@ -58,6 +68,12 @@ public:
     RayCounts& counts, double toleranceScale = 1.0, std::uint32_t penumbrae = 0,
     std::vector<PenumbraNeighbors>* neighbors = nullptr) const;
 
+  /// TracePacket() without the occlusion and the irradiance of providers, and without a medium. Stores the
+  /// layers of each point on which occlusion acts, front to back, in `layers`. Points whose bit in
+  /// `shaded` is not set may get no colors.
+  void TraceLayers(const glm::dvec2* points, unsigned int active, unsigned int shaded,
+    Sample* samples, std::vector<OccludedLayer>* layers, RayCounts& counts) const;
+
   /// Returns the first hit without shading it.
   Hit TraceFirstHit(glm::dvec2 p) const { return this->Rays.Intersect(this->MakeRay(p)); }
 
@@ -66,6 +82,12 @@ public:
   /// surfaces colored by scalars. Null: no occlusion.
   void SetOcclusion(
     const vtkPenumbraIrradianceProvider* provider, double strength, double tolerance);
+
+  /// Sets the strength for TraceLayers() alone.
+  void SetOcclusionStrength(double strength)
+  {
+    this->Lighting.OcclusionStrength = static_cast<float>(strength);
+  }
 
   /// Adds reflected irradiance. `provider` computes the irradiance and has been prepared by
   /// BeginIrradiance() with the same `tolerance`. Surfaces reflect `albedo` times their color.
@@ -115,8 +137,12 @@ private:
   void AddMedium(const Ray& ray, double from, double to, Sample& sample, glm::vec3& tint,
     RayCounts& counts) const;
   void CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts,
-    double toleranceScale, std::uint32_t penumbrae,
-    std::vector<PenumbraNeighbors>* neighbors) const;
+    double toleranceScale, std::uint32_t penumbrae, std::vector<PenumbraNeighbors>* neighbors,
+    std::vector<OccludedLayer>* layers = nullptr) const;
+  /// Traces the first hits of a packet.
+  void TraceHits(const glm::dvec2* points, unsigned int active, Ray* rays, Hit* hits) const;
+  /// `normal`: of the surface, on the side of the camera.
+  OccludedLayer MakeOccludedLayer(const Ray& ray, const Hit& hit, glm::dvec3 normal) const;
 
   const RayScene& Rays;
   const Shading& SurfaceShading;

@@ -68,11 +68,11 @@ LayerLighting::LayerLighting(
 {
 }
 
-float LayerLighting::GetStrength(const Hit& hit) const
+float LayerLightingSettings::GetStrength(const Surface& surface) const
 {
-  return this->Settings.OcclusionStrength >= 0.f                 ? this->Settings.OcclusionStrength
-    : this->Rays.GetScene().Surfaces[hit.Surface].ScalarColoring ? StrengthOnScalars
-                                                                 : 1.f;
+  return this->OcclusionStrength >= 0.f ? this->OcclusionStrength
+    : surface.ScalarColoring            ? StrengthOnScalars
+                                        : 1.f;
 }
 
 float LayerLighting::EstimateOcclusion(
@@ -132,7 +132,8 @@ void LayerLighting::Apply(const Ray& ray, const Hit& hit, const ShadedHit& shade
     return;
   }
   const bool occlusion = this->Settings.OcclusionProvider != nullptr;
-  const float strength = occlusion ? this->GetStrength(hit) : 0.f;
+  const Surface& surface = this->Rays.GetScene().Surfaces[hit.Surface];
+  const float strength = occlusion ? this->Settings.GetStrength(surface) : 0.f;
   const glm::vec3 reflectance =
     this->Settings.IrradianceProvider ? this->Settings.Albedo * shaded.Reflectance : glm::vec3(0.f);
   const bool light = reflectance != glm::vec3(0.f);

@@ -14,6 +14,8 @@ class vtkPenumbraIrradianceProvider;
 namespace penumbra
 {
 
+struct Surface;
+
 /// Providers and their settings, see CameraRayTracer.
 struct LayerLightingSettings
 {
@@ -23,6 +25,9 @@ struct LayerLightingSettings
   const vtkPenumbraIrradianceProvider* IrradianceProvider = nullptr;
   float Albedo = 0.f;
   double IrradianceTolerance = 0.0;
+
+  /// Returns the strength of occlusion on a surface.
+  float GetStrength(const Surface& surface) const;
 };
 
 /// Lights the layers of one camera ray from front to back. The tolerance of a layer of weight w, its
@@ -64,7 +69,6 @@ private:
   /// Returns the weight of layers whose light does not matter at the tolerance.
   double ComputeNegligibleWeight() const;
   void CompleteShared(const Estimate& next, glm::vec4& color);
-  float GetStrength(const Hit& hit) const;
 
   const LayerLightingSettings& Settings;
   const RayScene& Rays;

@@ -35,7 +35,15 @@ public:
   glm::vec2 At(std::uint32_t index) const
   {
     return { ToUnit(FastOwenScramble(index, this->SeedX)),
-      ToUnit(FastOwenScramble(ReverseBits32(SobolDimension1(index)), this->SeedY)) };
+      ToUnit(FastOwenScramble(MultiplyByPascalMatrix(index), this->SeedY)) };
+  }
+
+  /// Returns an index such that the points of shuffled indices, paired with those of another sequence at
+  /// the indices themselves, are stratified in both, but independent of each other. Blocks of 2^k indices
+  /// that begin at a multiple of 2^k become such blocks.
+  static std::uint32_t ShuffleIndex(std::uint32_t index, std::uint32_t seed)
+  {
+    return FastOwenScramble(ReverseBits32(index), MixBits(seed));
   }
 
   /// Returns the bit mask m such that, among the first `count` points, the points i and i XOR m
@@ -78,12 +86,18 @@ private:
   /// Returns the unscrambled second coordinate of the sequence, as a fraction of 2^32.
   static std::uint32_t SobolDimension1(std::uint32_t index)
   {
-    std::uint32_t y = 0;
-    for (std::uint32_t column = 0x80000000u; index != 0; index >>= 1, column ^= column >> 1)
-    {
-      y ^= index & 1u ? column : 0u;
-    }
-    return y;
+    return ReverseBits32(MultiplyByPascalMatrix(index));
+  }
+
+  /// Multiplies the bits of an index by Pascal's triangle modulo 2, block by block (Ahmed, "An
+  /// Implementation Algorithm of 2D Sobol Sequence Fast, Elegant, and Compact", 2024).
+  static std::uint32_t MultiplyByPascalMatrix(std::uint32_t x)
+  {
+    x ^= x >> 16;
+    x ^= x >> 8 & 0x00ff00ffu;
+    x ^= x >> 4 & 0x0f0f0f0fu;
+    x ^= x >> 2 & 0x33333333u;
+    return x ^ (x >> 1 & 0x55555555u);
   }
 
   static std::uint32_t ReverseBits32(std::uint32_t x)

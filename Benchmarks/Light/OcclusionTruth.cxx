@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OcclusionTruth.h"
+
+#include "Embree/RayScene.h"
+#include "Import/SceneExtraction.h"
+#include "Scene.h"
+#include "SceneBounds.h"
+#include "Shading/HemisphereSampling.h"
+#include "Surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <random>
+
+namespace penumbra
+{
+namespace
+{
+
+constexpr int PacketSize = 16;
+/// Camera rays per pixel and estimate: a square grid; and occlusion rays per camera ray.
+constexpr int CameraSide = 8;
+constexpr int OcclusionRays = 8;
+
+Scene Extract(vtkRenderer* renderer, int width, int height)
+{
+  ExtractionOptions options;
+  options.Resolution[0] = width;
+  options.Resolution[1] = height;
+  options.ClipToRange = false;
+  return ExtractScene(renderer, options);
+}
+
+template <typename Visit>
+bool VisitArrays(ReferenceOcclusion& truth, const Visit& visit)
+{
+  return visit(truth.Means[0]) && visit(truth.Means[1]) && visit(truth.Coverage);
+}
+
+bool Read(const std::string& file, std::size_t pixels, ReferenceOcclusion& truth)
+{
+  std::ifstream stream(file, std::ios::binary);
+  return VisitArrays(truth, [&](std::vector<float>& values) {
+    values.resize(pixels);
+    stream.read(
+      reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(pixels * sizeof(float)));
+    return static_cast<bool>(stream);
+  });
+}
+
+/// Traces the camera rays of one estimate of a pixel, and occlusion rays from their hits.
+class PixelTracer
+{
+public:
+  PixelTracer(const RayScene& rays, float radius, std::uint32_t seed)
+    : Rays(rays),
+      Radius(radius),
+      Generator(seed)
+  {
+  }
+
+  float TraceMean(int x, int y, float& coverage)
+  {
+    const Camera& camera = this->Rays.GetScene().ViewCamera;
+    const auto near = static_cast<float>(std::max(camera.Near - camera.DepthOfRayOrigins(), 0.0));
+    double open = 0.0;
+    int covered = 0;
+    for (int first = 0; first < CameraSide * CameraSide; first += PacketSize)
+    {
+      Ray packet[PacketSize];
+      Hit hits[PacketSize];
+      for (int i = 0; i < PacketSize; ++i)
+      {
+        const int k = first + i;
+        const glm::dvec2 p(x + (k % CameraSide + this->Random()) / CameraSide,
+          y + (k / CameraSide + this->Random()) / CameraSide);
+        packet[i].Origin = camera.RayOrigin(p);
+        packet[i].Direction = camera.RayDirection(p);
+        packet[i].Near = near;
+      }
+      this->Rays.Intersect16(packet, hits);
+      for (int i = 0; i < PacketSize; ++i)
+      {
+        if (hits[i].IsHit())
+        {
+          ++covered;
+          open += this->TraceOpenness(packet[i], hits[i]);
+        }
+      }
+    }
+    constexpr double Count = CameraSide * CameraSide;
+    coverage += static_cast<float>(0.5 * covered / Count);
+    return static_cast<float>(open / Count);
+  }
+
+private:
+  double Random() { return this->Generator() * 0x1p-32; }
+
+  double TraceOpenness(const Ray& ray, const Hit& hit)
+  {
+    glm::dvec3 geometric = glm::normalize(glm::dvec3(this->Rays.GetNormal(ray, hit)));
+    geometric *= glm::dot(geometric, glm::dvec3(ray.Direction)) > 0.0 ? -1.0 : 1.0;
+    const SurfaceNormals normals(this->Rays.GetSmoothNormal(hit, geometric), glm::vec3(geometric));
+    const glm::mat3 frame = FrameFromNormal(normals.Shading);
+    const glm::vec3 point = ray.Origin + hit.Distance * ray.Direction;
+    Ray rays[PacketSize];
+    bool occluded[PacketSize];
+    const double turn = this->Random();
+    for (int i = 0; i < PacketSize; ++i)
+    {
+      const double square = (i + this->Random()) / OcclusionRays;
+      const double angle = 6.283185307179586 * (i * 0.6180339887498949 + turn);
+      const glm::vec2 disk(std::sqrt(square) * glm::dvec2(std::cos(angle), std::sin(angle)));
+      rays[i].Origin = point + RayOriginOffset(point) * normals.Geometric;
+      rays[i].Direction = normals.ReflectAbove(frame * DiskToHemisphere(disk));
+      rays[i].Far = i < OcclusionRays ? this->Radius : -1.f;
+    }
+    this->Rays.Occluded16(rays, occluded);
+    return 1.0 - std::count(occluded, occluded + OcclusionRays, true) / double(OcclusionRays);
+  }
+
+  const RayScene& Rays;
+  float Radius;
+  std::mt19937 Generator;
+};
+
+}
+
+double FindDefaultRadius(vtkRenderer* renderer)
+{
+  return DefaultRadiusFraction * ComputeSceneDiagonal(Extract(renderer, 64, 64));
+}
+
+ReferenceOcclusion FindOcclusionTruth(
+  vtkRenderer* renderer, int width, int height, double radius, const std::string& file)
+{
+  const std::size_t pixels = static_cast<std::size_t>(width) * height;
+  ReferenceOcclusion truth;
+  if (!file.empty() && Read(file, pixels, truth))
+  {
+    return truth;
+  }
+  const Scene scene = Extract(renderer, width, height);
+  const RayScene rays(scene, 0);
+  VisitArrays(truth, [&](std::vector<float>& values) {
+    values.assign(pixels, 0.f);
+    return true;
+  });
+  ParallelFor<int>(0, height, 1, [&](int y) {
+    PixelTracer tracer(rays, static_cast<float>(radius * scene.Scale), 1234u + y);
+    for (int x = 0; x < width; ++x)
+    {
+      const std::size_t i = static_cast<std::size_t>(y) * width + x;
+      for (std::vector<float>& means : truth.Means)
+      {
+        means[i] = tracer.TraceMean(x, y, truth.Coverage[i]);
+      }
+    }
+  });
+  if (!file.empty())
+  {
+    std::ofstream stream(file, std::ios::binary);
+    VisitArrays(truth, [&](std::vector<float>& values) {
+      stream.write(reinterpret_cast<const char*>(values.data()),
+        static_cast<std::streamsize>(pixels * sizeof(float)));
+      return true;
+    });
+  }
+  return truth;
+}
+
+}

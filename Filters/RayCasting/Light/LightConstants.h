@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Tuning constants of the light of images. Lengths are in pixels. Measured values were chosen with
+// `./penumbra benchmark light --only occlusion` on head, bracket and brain.
+#ifndef penumbra_LightConstants_h
+#define penumbra_LightConstants_h
+
+#include <cstddef>
+#include <cstdint>
+
+namespace penumbra
+{
+
+/// Side of the blocks of cells whose sites share one set of directions, and of the tiles whose error
+/// is estimated and bounded. Tiles are made of whole blocks.
+constexpr int DirectionBlockSide = 8;
+constexpr int LightTileSide = 16;
+
+// --- Sites ---
+
+/// Largest number of sites of a pixel.
+constexpr std::size_t MaximumSitesOfPixel = 10;
+/// Number of layers behind each other that have sites of their own; those further behind share one.
+constexpr std::size_t MaximumSiteLayers = 4;
+/// Smallest cosine between the normals of points that belong to one site.
+constexpr float SameSiteCosine = 0.7f;
+/// Largest distance of the points of one site from its plane, in pixels, and relative to their distance
+/// along the plane.
+constexpr float SameSiteHeight = 0.5f;
+constexpr float SameSiteSlope = 0.35f;
+/// Number of samples that determine the parts of several sites in a pixel, beside the first ones.
+constexpr std::uint32_t PartSamples = 32;
+/// Squared error of these parts, relative to the squared difference between both halves of the samples.
+constexpr float PartVarianceGain = 0.125f;
+
+// --- Rays ---
+
+/// Number of rays of a site: first round and maximum, powers of two.
+constexpr int FirstSiteRays = 8;
+constexpr int MaximumSiteRays = 1024;
+/// Number of rounds after the first.
+constexpr int LightRounds = 3;
+/// More rays are traced where the estimated error exceeds this fraction of the tolerance.
+constexpr float LightErrorMargin = 0.9f;
+
+// --- Regression ---
+
+/// Number of levels; the blocks of level L have sides of 2^L cells.
+constexpr int LightLevels = 4;
+/// Smallest cosine between the mean normals of patches that are joined.
+constexpr float SamePatchCosine = 0.5f;
+/// Largest distance of the mean of a patch from the plane of the other: in pixels, and relative to
+/// the distance along the plane.
+constexpr float SamePatchHeight = 0.5f;
+constexpr float SamePatchSlope = 0.5f;
+/// Changes of position (in sides of a block) and of the normal over which the value is expected to
+/// change by the standard deviation that RidgeRays assumes.
+constexpr float PositionUnit = 1.5f;
+constexpr float NormalUnit = 0.5f;
+/// Weight of the expectation that the value does not change, in rays.
+constexpr float RidgeRays = 6.f;
+/// Level whose patches average the estimated bias.
+constexpr int BiasLevel = 3;
+/// Squared change from a level to the next, relative to that of the next: expected range.
+constexpr float SmallestBiasRatio = 0.0625f;
+constexpr float LargestBiasRatio = 0.5f;
+/// Part of the standard error of such a change that is added to it, because the level with the smallest
+/// estimated error is chosen.
+constexpr float BiasCaution = 0.5f;
+/// Lower bound of the estimated squared error.
+constexpr float SmallestSquaredError = 1e-8f;
+/// Variance of a site that is estimated alone, relative to that of independent rays.
+constexpr float AloneVarianceGain = 0.9f;
+/// Variance relative to that of independent rays, which strata over the window reduce.
+constexpr float WindowVarianceGain = 0.7f;
+
+}
+#endif

@@ -1,0 +1,493 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SiteJoining.h"
+
+#include "Execution/ParallelFor.h"
+#include "LightConstants.h"
+#include "LightPatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace penumbra
+{
+namespace
+{
+
+constexpr std::uint32_t None = 0xffffffffu;
+constexpr int Neighbors = 9; ///< blocks of a window, row by row; the central one is the fifth
+
+float Square(float x)
+{
+  return x * x;
+}
+
+/// The patches of one level, with their windows and models.
+struct Level
+{
+  int Side = 1; ///< of a block, in cells
+  glm::ivec2 Blocks{ 0 };
+  std::vector<std::uint32_t> Begin; ///< first patch of each block, and their number
+  std::vector<LightPatch> Patches;
+  std::vector<std::uint32_t> Parents; ///< patch of the next level
+  struct Window
+  {
+    std::uint32_t Patches[Neighbors]; ///< that match the central one, or None
+  };
+  std::vector<Window> Windows;
+  std::vector<LightModel> Models;
+
+  int GetNumberOfBlocks() const { return this->Blocks.x * this->Blocks.y; }
+};
+
+/// Weights of the patches of a window for a patch of the first level in its
+/// central block, whose first cell is `cell`.
+struct Blend
+{
+  std::uint32_t Patches[4];
+  float Weights[4];
+  int Count = 0;
+
+  Blend(const Level& level, std::uint32_t patch, glm::ivec2 cell)
+  {
+    const Level::Window& window = level.Windows[patch];
+    int step[2];
+    float beside[2];
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const float at =
+        (static_cast<float>(cell[axis] % level.Side) + 1.f) / static_cast<float>(level.Side) - 0.5f;
+      step[axis] = at < 0.f ? -1 : 1;
+      beside[axis] = std::abs(at);
+    }
+    float sum = 0.f;
+    for (int i = 0; i < 4; ++i)
+    {
+      const int x = i & 1 ? step[0] : 0;
+      const int y = i >> 1 ? step[1] : 0;
+      const std::uint32_t other = window.Patches[4 + 3 * y + x];
+      if (other != None)
+      {
+        this->Patches[this->Count] = other;
+        this->Weights[this->Count] =
+          (i & 1 ? beside[0] : 1.f - beside[0]) * (i >> 1 ? beside[1] : 1.f - beside[1]);
+        sum += this->Weights[this->Count++];
+      }
+    }
+    for (int i = 0; i < this->Count; ++i)
+    {
+      this->Weights[i] /= sum;
+    }
+  }
+};
+
+class SiteJoining
+{
+  using Patch = LightPatch;
+  using Model = LightModel;
+
+public:
+  explicit SiteJoining(SiteGrid& grid)
+    : Grid(grid)
+  {
+  }
+
+  void Run()
+  {
+    for (int i = 0; i < LightLevels; ++i)
+    {
+      Level& level = this->Levels[i];
+      level.Side = 2 << i;
+      level.Blocks = this->Grid.GetSize() / level.Side;
+      i == 0 ? this->MakeFirstPatches() : this->MakePatches(this->Levels[i - 1], level);
+      this->MatchNeighbors(level);
+    }
+    const auto count = static_cast<std::uint32_t>(this->Levels[0].Patches.size());
+    this->FindCells();
+    this->Estimates.resize(count);
+    ParallelFor<std::uint32_t>(0, count, 256, [&](std::uint32_t p) { this->Evaluate(p); });
+    ParallelFor(
+      0, this->Levels[0].GetNumberOfBlocks(), 64, [&](int block) { this->CompareSites(block); });
+    this->PoolBias();
+    this->Grid.Patches.assign(count, SitePatch());
+    ParallelFor<std::uint32_t>(0, count, 256, [&](std::uint32_t p) { this->Combine(p); });
+  }
+
+private:
+  /// Estimates at the mean of a patch of the first level, at each level; 0: of
+  /// the sites alone.
+  struct PatchEstimates
+  {
+    float Values[LightLevels][Halves];
+    float Variances[LightLevels + 1]; ///< the first one: of the sites alone
+    float SiteChanges =
+      0.f; ///< sum of the products of the changes from the sites to the first level
+  };
+  /// Squared changes of the estimates of a patch between levels.
+  struct Changes
+  {
+    float Count = 0.f;
+    float Sums[LightLevels] = {};
+    float Variances[LightLevels] = {};
+
+    void Add(const Changes& other, float weight)
+    {
+      this->Count += weight * other.Count;
+      for (int i = 0; i < LightLevels; ++i)
+      {
+        this->Sums[i] += weight * other.Sums[i];
+        this->Variances[i] += weight * other.Variances[i];
+      }
+    }
+  };
+
+  template <typename Visit>
+  void VisitPatches(Level& level, const Visit& makePatches)
+  {
+    std::vector<std::vector<Patch>> blocks(level.GetNumberOfBlocks());
+    ParallelFor(
+      0, level.GetNumberOfBlocks(), 32, [&](int block) { makePatches(block, blocks[block]); });
+    level.Begin.assign(1, 0);
+    for (const std::vector<Patch>& patches : blocks)
+    {
+      level.Begin.push_back(level.Begin.back() + static_cast<std::uint32_t>(patches.size()));
+    }
+    level.Patches.reserve(level.Begin.back());
+    for (const std::vector<Patch>& patches : blocks)
+    {
+      level.Patches.insert(level.Patches.end(), patches.begin(), patches.end());
+    }
+  }
+
+  /// Adds `part` to the patch in `patches` that it matches, or as a new one.
+  /// Returns its index.
+  static std::uint32_t AddPart(std::vector<Patch>& patches, const Patch& part)
+  {
+    for (std::uint32_t i = 0; i < patches.size(); ++i)
+    {
+      if (patches[i].Matches(part))
+      {
+        patches[i].Add(part, 1.f);
+        return i;
+      }
+    }
+    patches.push_back(part);
+    return static_cast<std::uint32_t>(patches.size() - 1);
+  }
+
+  void MakeFirstPatches()
+  {
+    Level& level = this->Levels[0];
+    const int columns = level.Blocks.x;
+    this->VisitPatches(level, [&](int block, std::vector<Patch>& patches) {
+      const glm::ivec2 first =
+        this->Grid.Low + level.Side * glm::ivec2(block % columns, block / columns);
+      for (int i = 0; i < level.Side * level.Side; ++i)
+      {
+        const std::size_t cell =
+          this->Grid.GetCell(first.x + i % level.Side, first.y + i / level.Side);
+        const LightPixel& pixel = this->Grid.Pixels[cell];
+        for (std::uint32_t k = pixel.Begin; k < pixel.Begin + pixel.Sites; ++k)
+        {
+          Patch part;
+          part.Add(this->Grid.Sites[k]);
+          this->Grid.Sites[k].Patch = AddPart(patches, part);
+        }
+      }
+    });
+    for (int block = 0; block < level.GetNumberOfBlocks(); ++block)
+    {
+      const glm::ivec2 first =
+        this->Grid.Low + level.Side * glm::ivec2(block % columns, block / columns);
+      for (int i = 0; i < level.Side * level.Side; ++i)
+      {
+        const std::size_t cell =
+          this->Grid.GetCell(first.x + i % level.Side, first.y + i / level.Side);
+        const LightPixel& pixel = this->Grid.Pixels[cell];
+        for (std::uint32_t k = pixel.Begin; k < pixel.Begin + pixel.Sites; ++k)
+        {
+          this->Grid.Sites[k].Patch += level.Begin[block];
+        }
+      }
+    }
+  }
+
+  void FindCells()
+  {
+    const Level& level = this->Levels[0];
+    this->Cells.resize(level.Patches.size());
+    for (int block = 0; block < level.GetNumberOfBlocks(); ++block)
+    {
+      const glm::ivec2 first(block % level.Blocks.x, block / level.Blocks.x);
+      std::fill(this->Cells.begin() + level.Begin[block],
+        this->Cells.begin() + level.Begin[block + 1],
+        glm::u8vec2(level.Side * first % LightTileSide));
+    }
+  }
+
+  void MakePatches(Level& finer, Level& level)
+  {
+    finer.Parents.resize(finer.Patches.size());
+    const auto visitChildren = [&](int block, const auto& visit) {
+      const glm::ivec2 at(block % level.Blocks.x, block / level.Blocks.x);
+      for (int i = 0; i < 4; ++i)
+      {
+        const int child = (2 * at.y + (i >> 1)) * finer.Blocks.x + 2 * at.x + (i & 1);
+        for (std::uint32_t k = finer.Begin[child]; k < finer.Begin[child + 1]; ++k)
+        {
+          visit(k);
+        }
+      }
+    };
+    this->VisitPatches(level, [&](int block, std::vector<Patch>& patches) {
+      visitChildren(
+        block, [&](std::uint32_t k) { finer.Parents[k] = AddPart(patches, finer.Patches[k]); });
+    });
+    for (int block = 0; block < level.GetNumberOfBlocks(); ++block)
+    {
+      visitChildren(block, [&](std::uint32_t k) { finer.Parents[k] += level.Begin[block]; });
+    }
+  }
+
+  void MatchNeighbors(Level& level)
+  {
+    level.Windows.resize(level.Patches.size());
+    level.Models.resize(level.Patches.size());
+    ParallelFor(0, level.GetNumberOfBlocks(), 16, [&](int block) {
+      const glm::ivec2 at(block % level.Blocks.x, block / level.Blocks.x);
+      for (std::uint32_t p = level.Begin[block]; p < level.Begin[block + 1]; ++p)
+      {
+        const Patch& patch = level.Patches[p];
+        Patch sum = patch;
+        for (int i = 0; i < Neighbors; ++i)
+        {
+          const glm::ivec2 step(i % 3 - 1, i / 3 - 1);
+          std::uint32_t& match = level.Windows[p].Patches[i];
+          match = i == 4 ? p : FindMatch(level, at + step, patch);
+          if (i != 4 && match != None)
+          {
+            sum.Add(level.Patches[match], (step.x == 0 ? 1.f : 0.5f) * (step.y == 0 ? 1.f : 0.5f));
+          }
+        }
+        level.Models[p].Fit(sum, level.Side);
+      }
+    });
+  }
+
+  static std::uint32_t FindMatch(const Level& level, glm::ivec2 block, const Patch& patch)
+  {
+    std::uint32_t best = None;
+    float largest = 0.f;
+    if (block.x >= 0 && block.y >= 0 && block.x < level.Blocks.x && block.y < level.Blocks.y)
+    {
+      const int index = block.y * level.Blocks.x + block.x;
+      for (std::uint32_t i = level.Begin[index]; i < level.Begin[index + 1]; ++i)
+      {
+        const Patch& other = level.Patches[i];
+        if (patch.Matches(other) && other.Weight > largest)
+        {
+          largest = other.Weight;
+          best = i;
+        }
+      }
+    }
+    return best;
+  }
+
+  /// Evaluates the models of all levels at the means of the patches of the first level.
+  void Evaluate(std::uint32_t p)
+  {
+    const Patch& patch = this->Levels[0].Patches[p];
+    PatchEstimates& estimates = this->Estimates[p];
+    std::uint32_t parent = p;
+    for (int l = 0; l < LightLevels; ++l)
+    {
+      const Level& level = this->Levels[l];
+      const Blend blend(level, parent, this->Cells[p]);
+      float* const values = estimates.Values[l];
+      std::fill(values, values + Halves, 0.f);
+      float variance = 0.f;
+      for (int k = 0; k < blend.Count; ++k)
+      {
+        const Model& model = level.Models[blend.Patches[k]];
+        model.Evaluate(patch.Mean, blend.Weights[k], values);
+        variance += blend.Weights[k] * model.Variance;
+      }
+      estimates.Variances[l + 1] = variance;
+      if (l == BiasLevel - 1)
+      {
+        const Patch& pool = level.Patches[parent];
+        estimates.Variances[0] =
+          AloneVarianceGain * pool.GetVariance() * patch.Sites / patch.Weight;
+      }
+      parent = l + 1 < LightLevels ? level.Parents[parent] : parent;
+    }
+  }
+
+  /// Compares the sites of a block of the first level with its models.
+  void CompareSites(int block)
+  {
+    const Level& level = this->Levels[0];
+    const glm::ivec2 first =
+      this->Grid.Low + level.Side * glm::ivec2(block % level.Blocks.x, block / level.Blocks.x);
+    for (int i = 0; i < level.Side * level.Side; ++i)
+    {
+      const LightPixel& pixel =
+        this->Grid.Pixels[this->Grid.GetCell(first.x + i % level.Side, first.y + i / level.Side)];
+      for (std::uint32_t k = pixel.Begin; k < pixel.Begin + pixel.Sites; ++k)
+      {
+        const LightSite& site = this->Grid.Sites[k];
+        const Blend blend(level, site.Patch, this->Cells[site.Patch]);
+        float values[Halves] = {};
+        for (int n = 0; n < blend.Count; ++n)
+        {
+          level.Models[blend.Patches[n]].Evaluate(
+            { site.Position, site.Normal }, blend.Weights[n], values);
+        }
+        this->Estimates[site.Patch].SiteChanges +=
+          (site.Sums[0] / static_cast<float>(site.Rays[0]) - values[0]) *
+          (site.Sums[1] / static_cast<float>(site.Rays[1]) - values[1]);
+      }
+    }
+  }
+
+  std::uint32_t FindBiasPatch(std::uint32_t p) const
+  {
+    for (int l = 0; l + 1 < BiasLevel; ++l)
+    {
+      p = this->Levels[l].Parents[p];
+    }
+    return p;
+  }
+
+  void PoolBias()
+  {
+    const Level& level = this->Levels[BiasLevel - 1];
+    std::vector<Changes> own(level.Patches.size());
+    for (std::uint32_t p = 0; p < this->Estimates.size(); ++p)
+    {
+      Changes& changes = own[this->FindBiasPatch(p)];
+      const PatchEstimates& estimates = this->Estimates[p];
+      const float sites = this->Levels[0].Patches[p].Sites;
+      changes.Count += sites;
+      changes.Sums[0] += estimates.SiteChanges;
+      changes.Variances[0] += sites * estimates.Variances[0];
+      for (int l = 1; l < LightLevels; ++l)
+      {
+        changes.Sums[l] += sites * (estimates.Values[l][0] - estimates.Values[l - 1][0]) *
+          (estimates.Values[l][1] - estimates.Values[l - 1][1]);
+        changes.Variances[l] += sites * estimates.Variances[l];
+      }
+    }
+    this->Bias.resize(own.size());
+    ParallelFor<std::size_t>(0, own.size(), 64, [&](std::size_t p) {
+      Changes sum;
+      for (int i = 0; i < Neighbors; ++i)
+      {
+        const std::uint32_t other = level.Windows[p].Patches[i];
+        if (other != None)
+        {
+          sum.Add(own[other], (i % 3 == 1 ? 1.f : 0.5f) * (i / 3 == 1 ? 1.f : 0.5f));
+        }
+      }
+      float* const squares = this->Bias[p].Squares;
+      for (int l = LightLevels - 1; l >= 0; --l)
+      {
+        const float found = sum.Sums[l] / sum.Count;
+        const float units = sum.Count / static_cast<float>(l == 0 ? 1 : 4 << (2 * l - 2));
+        const float noise = 2.f * sum.Variances[l] / sum.Count / std::sqrt(units);
+        float expected = 0.f;
+        if (l + 1 < LightLevels)
+        {
+          const float ratio = l + 2 < LightLevels && squares[l + 2] > 0.f
+            ? std::clamp(squares[l + 1] / squares[l + 2], SmallestBiasRatio, LargestBiasRatio)
+            : LargestBiasRatio;
+          expected = ratio * squares[l + 1];
+        }
+        const float spread = std::max(expected, found);
+        const float certainty = Square(spread) / (Square(spread) + Square(noise) + 1e-20f);
+        squares[l] = std::max(expected + certainty * (found - expected), 0.f) +
+          BiasCaution * std::sqrt(certainty) * noise;
+      }
+      for (int l = 1; l < LightLevels; ++l)
+      {
+        this->Bias[p].Squares[l] += this->Bias[p].Squares[l - 1];
+      }
+    });
+  }
+
+  void Combine(std::uint32_t p)
+  {
+    const PatchEstimates& estimates = this->Estimates[p];
+    const Blend pool(this->Levels[BiasLevel - 1], this->FindBiasPatch(p), this->Cells[p]);
+    float errors[LightLevels + 1];
+    float weights[LightLevels + 1];
+    float smallest = std::numeric_limits<float>::max();
+    for (int l = 0; l <= LightLevels; ++l)
+    {
+      errors[l] = estimates.Variances[l];
+      for (int k = 0; l > 0 && k < pool.Count; ++k)
+      {
+        errors[l] += pool.Weights[k] * this->Bias[pool.Patches[k]].Squares[l - 1];
+      }
+      errors[l] = std::max(errors[l], SmallestSquaredError);
+      smallest = std::min(smallest, errors[l]);
+    }
+    float sum = 0.f;
+    for (int l = 0; l <= LightLevels; ++l)
+    {
+      weights[l] = Square(Square(smallest / errors[l]));
+      sum += weights[l];
+    }
+    SitePatch& result = this->Grid.Patches[p];
+    result.Mean = this->Levels[0].Patches[p].Mean;
+    result.AloneWeight = weights[0] / sum;
+    result.SquaredError = result.AloneWeight * errors[0];
+    std::uint32_t parent = p;
+    for (int l = 1; l <= LightLevels; ++l)
+    {
+      const Level& level = this->Levels[l - 1];
+      const Blend blend(level, parent, this->Cells[p]);
+      const float weight = 0.5f * weights[l] / sum;
+      result.SquaredError += 2.f * weight * errors[l];
+      result.Value += weight * (estimates.Values[l - 1][0] + estimates.Values[l - 1][1]);
+      for (int k = 0; k < blend.Count; ++k)
+      {
+        const Model& model = level.Models[blend.Patches[k]];
+        for (int i = 0; i < LightFeatures::Count; ++i)
+        {
+          result.Slopes[i] += weight * blend.Weights[k] * (model.Slopes[0][i] + model.Slopes[1][i]);
+        }
+      }
+      parent = l < LightLevels ? level.Parents[parent] : parent;
+    }
+  }
+
+  SiteGrid& Grid;
+  std::vector<glm::u8vec2> Cells; ///< per patch of the first level: first cell
+                                  ///< of its block, in its tile
+  std::vector<PatchEstimates> Estimates;
+  struct PatchBias
+  {
+    float Squares[LightLevels];
+  };
+  std::vector<PatchBias> Bias;
+  Level Levels[LightLevels];
+};
+
+} // namespace
+
+int GetJoiningReach()
+{
+  // Models of adjacent blocks, each fitted in a window of three blocks; and the
+  // same of the bias.
+  return (2 << LightLevels) + (3 << BiasLevel);
+}
+
+void JoinSites(SiteGrid& grid)
+{
+  SiteJoining(grid).Run();
+}
+
+} // namespace penumbra

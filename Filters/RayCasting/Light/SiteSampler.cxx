@@ -1,0 +1,322 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SiteSampler.h"
+
+#include "Scene.h"
+#include "Shading/HemisphereSampling.h"
+#include "Shading/OwenSobolSequence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace penumbra
+{
+namespace
+{
+
+constexpr int PacketSize = CameraRayTracer::PacketSize;
+/// Index of the first of the camera rays that only determine the parts of the sites.
+constexpr std::uint32_t FirstPartIndex = 1u << 24;
+
+/// Distance that corresponds to a difference of one layer, in pixels.
+constexpr float OtherLayerDistance = 4.f;
+
+/// Replaces the layers behind the first ones by one of them with their color, chosen with probabilities in
+/// proportion to their colors.
+void MergeLayers(std::vector<OccludedLayer>& layers, std::uint32_t random)
+{
+  if (layers.size() <= MaximumSiteLayers + 1)
+  {
+    return;
+  }
+  const auto weigh = [](const OccludedLayer& layer) {
+    return layer.Color.r + layer.Color.g + layer.Color.b;
+  };
+  OccludedLayer merged = layers[MaximumSiteLayers];
+  float sum = weigh(merged);
+  for (std::size_t i = MaximumSiteLayers + 1; i < layers.size(); ++i)
+  {
+    const glm::vec3 color = merged.Color + layers[i].Color;
+    const float weight = weigh(layers[i]);
+    sum += weight;
+    if (NextFloat(random) * sum < weight)
+    {
+      merged = layers[i];
+    }
+    merged.Color = color;
+  }
+  layers[MaximumSiteLayers] = merged;
+  layers.resize(MaximumSiteLayers + 1);
+}
+
+enum Sequences
+{
+  PixelPositions,
+  Directions,
+};
+
+OwenSobolSequence MakeSequence(std::uint32_t seed, int half, Sequences kind)
+{
+  return OwenSobolSequence(MixBits(seed + 2u * static_cast<std::uint32_t>(kind) + half));
+}
+
+}
+
+SiteSampler::SiteSampler(const CameraRayTracer& tracer, const OcclusionRays& rays)
+  : Tracer(tracer),
+    Source(rays)
+{
+}
+
+glm::ivec2 SiteSampler::GetOffset(int cell)
+{
+  glm::ivec2 offset(0);
+  for (int bit = 0; bit < 3; ++bit)
+  {
+    offset.x |= (cell >> (2 * bit) & 1) << bit;
+    offset.y |= (cell >> (2 * bit + 1) & 1) << bit;
+  }
+  return offset;
+}
+
+void SiteSampler::Begin(glm::ivec2 first)
+{
+  const glm::ivec2 block = first / Side;
+  this->First = first;
+  this->Seed =
+    MixBits(static_cast<std::uint32_t>(block.x) + MixBits(static_cast<std::uint32_t>(block.y))) *
+    4u;
+  this->Requests.clear();
+}
+
+// The points of a pixel are consecutive points of the sequence of the block, those of all its pixels one
+// net.
+void SiteSampler::AddRequests(
+  int cell, std::uint32_t before, std::uint32_t from, std::uint32_t to, std::uint32_t added)
+{
+  const Camera& camera = this->Tracer.GetScene().ViewCamera;
+  const glm::ivec2 p = this->First + GetOffset(cell);
+  if (p.x >= camera.Width || p.y >= camera.Height)
+  {
+    return;
+  }
+  const bool isShaded = before == 0 || this->Pixels[cell].IsComplex;
+  for (std::uint32_t i = from; i < to; ++i)
+  {
+    for (int half = 0; half < Halves; ++half)
+    {
+      this->Requests.push_back({ cell, half, Cells * before + cell * added + i, true, isShaded });
+    }
+  }
+}
+
+// A block in which the first samples of all pixels show the background gets no further ones.
+void SiteSampler::FindSites(glm::ivec2 first)
+{
+  this->Begin(first);
+  for (int cell = 0; cell < Cells; ++cell)
+  {
+    this->Sites[cell].clear();
+    this->Pixels[cell] = LightPixel();
+    this->AddRequests(cell, 0, 0, 1, FirstSiteRays / Halves);
+  }
+  this->TraceRequests(true);
+  const bool isEmpty =
+    std::all_of(this->Sites, this->Sites + Cells, [](const auto& sites) { return sites.empty(); });
+  if (isEmpty && this->Requests.size() == static_cast<std::size_t>(Halves) * Cells)
+  {
+    return;
+  }
+  this->Requests.clear();
+  for (int cell = 0; cell < Cells; ++cell)
+  {
+    this->AddRequests(cell, 0, 1, FirstSiteRays / Halves, FirstSiteRays / Halves);
+  }
+  this->TraceRequests(true);
+  this->Requests.clear();
+  for (int cell = 0; cell < Cells; ++cell)
+  {
+    this->Pixels[cell].IsComplex = this->IsComplex(cell);
+    for (std::uint32_t i = 0; i < PartSamples && this->Pixels[cell].IsComplex; ++i)
+    {
+      this->Requests.push_back({ cell, static_cast<int>(i % Halves),
+        FirstPartIndex + (cell * PartSamples + i) / Halves, false, true });
+    }
+  }
+  this->TraceRequests(true);
+  this->Flush();
+}
+
+void SiteSampler::AddSamples(glm::ivec2 first, const SiteGrid& grid)
+{
+  this->Begin(first);
+  for (int cell = 0; cell < Cells; ++cell)
+  {
+    const glm::ivec2 p = first + GetOffset(cell);
+    LightPixel& pixel = this->Pixels[cell];
+    pixel = grid.Pixels[grid.GetCell(p.x, p.y)];
+    const LightSite* const sites = grid.Sites.data() + pixel.Begin;
+    this->Sites[cell].assign(sites, sites + pixel.Sites);
+    // The number of samples doubles, or grows by half at the end.
+    while (pixel.Traced < pixel.Target)
+    {
+      const auto added =
+        static_cast<std::uint16_t>(std::min<int>(pixel.Traced, pixel.Target - pixel.Traced));
+      this->AddRequests(cell, pixel.Traced, 0, added, added);
+      pixel.Traced = static_cast<std::uint16_t>(pixel.Traced + added);
+    }
+  }
+  this->TraceRequests(false);
+  this->Flush();
+}
+
+bool SiteSampler::IsComplex(int cell) const
+{
+  const std::vector<LightSite>& sites = this->Sites[cell];
+  const LightPixel& pixel = this->Pixels[cell];
+  const float samples = static_cast<float>(pixel.Samples[0]) + static_cast<float>(pixel.Samples[1]);
+  return sites.size() > 1 || (sites.size() == 1 && sites[0].Samples != samples);
+}
+
+void SiteSampler::TraceRequests(bool createsSites)
+{
+  const OwenSobolSequence sequences[Halves] = { MakeSequence(this->Seed, 0, PixelPositions),
+    MakeSequence(this->Seed, 1, PixelPositions) };
+  for (std::size_t first = 0; first < this->Requests.size(); first += PacketSize)
+  {
+    const int size =
+      static_cast<int>(std::min<std::size_t>(this->Requests.size() - first, PacketSize));
+    glm::dvec2 points[PacketSize];
+    Sample samples[PacketSize];
+    unsigned int shaded = 0;
+    for (int i = 0; i < size; ++i)
+    {
+      const Request& request = this->Requests[first + i];
+      shaded |= (request.IsShaded ? 1u : 0u) << i;
+      points[i] = glm::dvec2(this->First + GetOffset(request.Cell)) +
+        glm::dvec2(sequences[request.Half].At(request.Index));
+    }
+    const unsigned int active = size == PacketSize ? 0xffffu : (1u << size) - 1u;
+    this->Tracer.TraceLayers(points, active, shaded, samples, this->Layers, this->Counts);
+    this->CameraRays += size;
+    for (int i = 0; i < size; ++i)
+    {
+      const Request& request = this->Requests[first + i];
+      LightPixel& pixel = this->Pixels[request.Cell];
+      if (request.IsShaded)
+      {
+        pixel.Colors[request.Half] += glm::vec3(samples[i].Color);
+        ++pixel.Samples[request.Half];
+      }
+      std::vector<OccludedLayer>& layers = this->Layers[i];
+      MergeLayers(layers, MixBits(this->Seed + MixBits(request.Index)));
+      for (std::size_t k = 0; k < layers.size(); ++k)
+      {
+        this->AddLayer(request, layers[k], static_cast<std::uint16_t>(k), createsSites);
+      }
+    }
+  }
+}
+
+// Every site gets a ray of each half.
+void SiteSampler::AddLayer(
+  const Request& request, const OccludedLayer& layer, std::uint16_t number, bool createsSites)
+{
+  const Camera& camera = this->Tracer.GetScene().ViewCamera;
+  const double depth = layer.Where.Distance + camera.DepthOfRayOrigins();
+  const auto footprint = static_cast<float>(camera.PixelSize * (camera.Parallel ? 1.0 : depth));
+  std::vector<LightSite>& sites = this->Sites[request.Cell];
+  LightSite* site = this->FindSite(
+    request.Cell, layer, number, footprint, !createsSites || sites.size() == MaximumSitesOfPixel);
+  const bool isNew = !site;
+  if (isNew)
+  {
+    sites.emplace_back();
+    site = &sites.back();
+    site->Layer = number;
+    ++this->Pixels[request.Cell].Sites;
+  }
+  site->Samples += 1.f;
+  site->Position += (layer.Position - site->Position) / site->Samples;
+  site->Normal += (layer.Normal - site->Normal) / site->Samples;
+  site->Footprint = std::max(site->Footprint, footprint);
+  site->Colors[request.Half] += request.IsShaded ? layer.Color : glm::vec3(0.f);
+  const auto index = static_cast<std::size_t>(site - sites.data());
+  for (int half = 0; half < Halves; ++half)
+  {
+    if (isNew || (request.TracesOcclusion && half == request.Half))
+    {
+      this->QueueRay(request.Cell, index, half, request.Index, layer);
+    }
+  }
+}
+
+/// Returns the site that a layer belongs to; if `mustFind`, the nearest one if there is none.
+LightSite* SiteSampler::FindSite(
+  int cell, const OccludedLayer& layer, std::uint16_t number, float footprint, bool mustFind)
+{
+  LightSite* nearest = nullptr;
+  float smallest = std::numeric_limits<float>::max();
+  for (LightSite& site : this->Sites[cell])
+  {
+    const glm::vec3 normal = glm::normalize(site.Normal + layer.Normal);
+    const glm::vec3 offset = layer.Position - site.Position;
+    if (site.Layer == number &&
+      glm::dot(site.Normal, layer.Normal) >= SameSiteCosine * glm::length(site.Normal) &&
+      IsNearPlane(offset, normal, SameSiteHeight * footprint, SameSiteSlope))
+    {
+      return &site;
+    }
+    const float distance = glm::length(offset) - footprint * glm::dot(site.Normal, layer.Normal) +
+      OtherLayerDistance * footprint * static_cast<float>(std::abs(site.Layer - number));
+    if (mustFind && distance < smallest)
+    {
+      smallest = distance;
+      nearest = &site;
+    }
+  }
+  return nearest;
+}
+
+void SiteSampler::QueueRay(
+  int cell, std::size_t site, int half, std::uint32_t index, const OccludedLayer& layer)
+{
+  const glm::vec2 at = MakeSequence(this->Seed, half, Directions)
+                         .At(OwenSobolSequence::ShuffleIndex(index, this->Seed + half));
+  const SurfaceNormals normals(layer.Normal, layer.Geometric);
+  Ray& ray = this->Rays[this->Count];
+  ray.Origin = layer.Position + RayOriginOffset(layer.Position) * layer.Geometric;
+  ray.Direction = normals.ReflectAbove(
+    FrameFromNormal(layer.Normal) * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
+  ray.Far = this->Source.GetRadius();
+  this->Owners[this->Count] = { cell, site, half };
+  ++this->LightRays;
+  if (++this->Count == OcclusionRays::PacketSize)
+  {
+    this->Flush();
+  }
+}
+
+void SiteSampler::Flush()
+{
+  if (this->Count == 0)
+  {
+    return;
+  }
+  for (int i = this->Count; i < OcclusionRays::PacketSize; ++i)
+  {
+    this->Rays[i].Far = -1.f;
+  }
+  float values[OcclusionRays::PacketSize];
+  this->Source.Trace(this->Rays, values, this->LightRays);
+  for (int i = 0; i < this->Count; ++i)
+  {
+    LightSite& site = this->Sites[this->Owners[i].Cell][this->Owners[i].Site];
+    site.Sums[this->Owners[i].Half] += values[i];
+    ++site.Rays[this->Owners[i].Half];
+  }
+  this->Count = 0;
+}
+
+}

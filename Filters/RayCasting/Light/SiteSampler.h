@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Finds the sites of the pixels of a block and traces occlusion rays from them. Every ray starts at a
+// point of its own in the pixel, so that a site represents the mean of its pixel.
+#ifndef penumbra_SiteSampler_h
+#define penumbra_SiteSampler_h
+
+#include "LightConstants.h"
+#include "LightSite.h"
+#include "OcclusionRays.h"
+#include "Sampling/CameraRayTracer.h"
+
+#include <vector>
+
+namespace penumbra
+{
+
+class SiteSampler
+{
+public:
+  static constexpr int Side = DirectionBlockSide;
+  static constexpr int Cells = Side * Side;
+
+  SiteSampler(const CameraRayTracer& tracer, const OcclusionRays& rays);
+
+  /// Finds the sites of the pixels of the block whose lower left pixel is `first`, with FirstSiteRays
+  /// rays in each.
+  void FindSites(glm::ivec2 first);
+
+  /// Adds samples to the pixels of the block, from `grid`, until each has its target.
+  void AddSamples(glm::ivec2 first, const SiteGrid& grid);
+
+  const std::vector<LightSite>& GetSites(int cell) const { return this->Sites[cell]; }
+  const LightPixel& GetPixel(int cell) const { return this->Pixels[cell]; }
+
+  /// Returns the pixel of a cell relative to the first one of the block, in Morton order.
+  static glm::ivec2 GetOffset(int cell);
+
+  long long CameraRays = 0;
+  long long LightRays = 0;
+  RayCounts Counts;
+
+private:
+  /// A camera ray, and whether an occlusion ray starts at its hits.
+  struct Request
+  {
+    int Cell;
+    int Half;
+    std::uint32_t Index; ///< in the sequences of the half
+    bool TracesOcclusion;
+    bool IsShaded; ///< its color counts
+  };
+
+  void Begin(glm::ivec2 first);
+  /// Adds the samples [from, to) of `added` ones of each half that follow `before`.
+  void AddRequests(
+    int cell, std::uint32_t before, std::uint32_t from, std::uint32_t to, std::uint32_t added);
+  void TraceRequests(bool createsSites);
+  void AddLayer(
+    const Request& request, const OccludedLayer& layer, std::uint16_t number, bool createsSites);
+  LightSite* FindSite(
+    int cell, const OccludedLayer& layer, std::uint16_t number, float footprint, bool mustFind);
+  void QueueRay(
+    int cell, std::size_t site, int half, std::uint32_t index, const OccludedLayer& layer);
+  void Flush();
+  bool IsComplex(int cell) const;
+
+  const CameraRayTracer& Tracer;
+  const OcclusionRays& Source;
+  glm::ivec2 First{ 0 };
+  std::uint32_t Seed = 0;
+  std::vector<LightSite> Sites[Cells];
+  LightPixel Pixels[Cells];
+  std::vector<Request> Requests;
+  std::vector<OccludedLayer> Layers[CameraRayTracer::PacketSize];
+
+  Ray Rays[OcclusionRays::PacketSize];
+  struct RayOwner
+  {
+    int Cell;
+    std::size_t Site;
+    int Half;
+  };
+  RayOwner Owners[OcclusionRays::PacketSize];
+  int Count = 0;
+};
+
+}
+#endif
