@@ -180,13 +180,15 @@ OcclusionImage Cast(vtkRenderer* renderer, const int size[2], double tolerance, 
   caster->SetAmbientOcclusion(occlusion);
   caster->SetNumberOfThreads(1);
   caster->SetGlobalWarningDisplay(0);
-  if (provider == "brute-force")
-  {
-    caster->SetIrradianceProvider(vtkNew<vtkPenumbraBruteForceIrradiance>());
-  }
-  else if (provider == "cache")
+  if (provider == "cache")
   {
     caster->SetIrradianceProvider(vtkNew<vtkPenumbraIrradianceCache>());
+  }
+  else
+  {
+    vtkNew<vtkPenumbraBruteForceIrradiance> rays;
+    rays->SetJoinPixels(provider != "brute-force");
+    caster->SetIrradianceProvider(rays);
   }
   const double start = Seconds();
   caster->Update();

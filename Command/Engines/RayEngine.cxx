@@ -24,6 +24,7 @@
 #include "vtkImageData.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraCubeMapGatherer.h"
 #include "vtkPenumbraEnvironment.h"
 #include "vtkPenumbraIrradianceCache.h"
@@ -190,7 +191,13 @@ vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(
   }
   caster->SetAlbedo(light.Albedo);
   caster->SetBounces(light.Bounces);
-  if ((options.AmbientOcclusion || light.Indirect) && options.Cache != "none")
+  if (options.Cache == "none")
+  {
+    vtkNew<vtkPenumbraBruteForceIrradiance> provider;
+    provider->JoinPixelsOn();
+    caster->SetIrradianceProvider(provider);
+  }
+  else if (options.AmbientOcclusion || light.Indirect)
   {
     vtkNew<vtkPenumbraIrradianceCache> cache;
     cache->SetSpace(options.Cache == "screen" ? vtkPenumbraIrradianceCache::SCREEN

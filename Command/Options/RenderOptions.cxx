@@ -286,7 +286,8 @@ void DeclareEffects(const CommandLine& app, RenderOptions& options)
     .Group(group);
   AddChoice(app, "--cache", options.Cache, { "world", "screen", "none" },
     "Interpolate occlusion and indirect light between records in world space or over the image; "
-    "none: join the rays of neighboring pixels, which keeps the tolerance of occlusion where records "
+    "none: join the rays of neighboring pixels, which keeps the tolerance of occlusion where "
+    "records "
     "miss it (ray)")
     .Group(group);
   app.AddFlag("--shadows", options.Shadows, "Shadows of the lights (ray)").Group(group);

@@ -279,7 +279,7 @@ double vtkPenumbraRayCaster::Internals::FindOcclusionRadius(vtkPenumbraRayCaster
 // Occlusion does not act on indirect light and on the light of a medium.
 bool vtkPenumbraRayCaster::Internals::JoinsPixels(vtkPenumbraRayCaster* self) const
 {
-  return this->IrradianceProvider == this->DefaultProvider && self->CoverageMethod != UNIFORM &&
+  return this->IrradianceProvider->JoinsPixels() && self->CoverageMethod != UNIFORM &&
     this->FindOcclusion(self).On && !self->IndirectLight && !this->Medium;
 }
 

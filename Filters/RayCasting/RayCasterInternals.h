@@ -57,9 +57,8 @@ struct vtkPenumbraRayCaster::Internals
   vtkSmartPointer<vtkRenderer> Renderer;
   std::optional<bool> Shadows;          ///< if not set, as Renderer
   std::optional<bool> AmbientOcclusion; ///< if not set, as Renderer
-  const vtkSmartPointer<vtkPenumbraIrradianceProvider> DefaultProvider =
+  vtkSmartPointer<vtkPenumbraIrradianceProvider> IrradianceProvider =
     vtkSmartPointer<vtkPenumbraBruteForceIrradiance>::New();
-  vtkSmartPointer<vtkPenumbraIrradianceProvider> IrradianceProvider = DefaultProvider;
   vtkSmartPointer<vtkPenumbraMedium> Medium;
   vtkSmartPointer<vtkPenumbraEnvironment> Environment;
   penumbra::LightSizes SizedLights;

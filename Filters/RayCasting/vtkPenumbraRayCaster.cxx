@@ -92,11 +92,14 @@ bool vtkPenumbraRayCaster::GetAmbientOcclusion()
 
 void vtkPenumbraRayCaster::SetIrradianceProvider(vtkPenumbraIrradianceProvider* provider)
 {
-  Internals& internals = *this->Implementation;
-  vtkPenumbraIrradianceProvider* const used = provider ? provider : internals.DefaultProvider.Get();
-  if (internals.IrradianceProvider != used)
+  if (this->Implementation->IrradianceProvider != provider)
   {
-    internals.IrradianceProvider = used;
+    this->Implementation->IrradianceProvider = provider;
+    if (!provider)
+    {
+      this->Implementation->IrradianceProvider =
+        vtkSmartPointer<vtkPenumbraBruteForceIrradiance>::New();
+    }
     this->Modified();
   }
 }

@@ -264,9 +264,8 @@ public:
 
   ///@{
   /**
-   * Object that computes ambient occlusion and irradiance at points. Default: a
-   * vtkPenumbraBruteForceIrradiance of this object; then the ambient occlusion of an image is estimated
-   * for all pixels together, which takes far fewer rays, unless there is indirect light or a medium.
+   * Object that computes ambient occlusion and irradiance.
+   * Default: vtkPenumbraBruteForceIrradiance.
    */
   virtual void SetIrradianceProvider(vtkPenumbraIrradianceProvider* provider);
   vtkPenumbraIrradianceProvider* GetIrradianceProvider();

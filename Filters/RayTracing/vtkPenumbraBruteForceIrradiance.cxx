@@ -286,6 +286,7 @@ vtkPenumbraIrradianceProvider::Light vtkPenumbraBruteForceIrradiance::Irradiance
 void vtkPenumbraBruteForceIrradiance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "JoinPixels: " << this->JoinPixels << "\n";
   os << indent << "MinimumRays: " << this->MinimumRays << "\n";
   os << indent << "MaximumRays: " << this->MaximumRays << "\n";
 }

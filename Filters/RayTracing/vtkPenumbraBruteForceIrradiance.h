@@ -48,6 +48,19 @@ public:
   Estimate OcclusionWithin(const double point[3], const double normal[3], double tolerance,
     const double geometricNormal[3] = nullptr) const override;
 
+  /** Returns JoinPixels. */
+  bool JoinsPixels() const override { return this->JoinPixels; }
+
+  ///@{
+  /**
+   * If on, images estimate their ambient occlusion for all pixels together, which takes far fewer rays,
+   * unless there is indirect light or a medium. If off, each point is estimated alone. Default: off.
+   */
+  vtkSetMacro(JoinPixels, bool);
+  vtkGetMacro(JoinPixels, bool);
+  vtkBooleanMacro(JoinPixels, bool);
+  ///@}
+
   bool BeginIrradiance(
     const penumbra::Illumination& light, double tolerance, const Progress& progress = {}) override;
   Light Irradiance(const double point[3], const double normal[3], double tolerance,
@@ -66,6 +79,7 @@ private:
   double Tolerance = 0.01;           ///< of occlusion, passed to Begin()
   double IrradianceTolerance = 0.01; ///< passed to BeginIrradiance()
   bool Translucent = false;          ///< the scene has translucent occluders
+  bool JoinPixels = false;
   int MaximumRays = 16384;
   int MinimumRays = 32;
   std::unique_ptr<penumbra::Illumination> Lighting;

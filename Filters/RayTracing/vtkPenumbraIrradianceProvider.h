@@ -106,6 +106,12 @@ public:
   }
 
   /**
+   * Returns true if an image may estimate its ambient occlusion for all pixels together, and ask the
+   * provider only where that is not possible. Default: false.
+   */
+  virtual bool JoinsPixels() const { return false; }
+
+  /**
    * Estimated irradiance (red, green, blue), its standard error, and the number of rays traced for
    * it.
    */

@@ -123,6 +123,10 @@ private:
   bool IncreaseTile(glm::ivec2 first, float limit)
   {
     constexpr int Pixels = LightTileSide * LightTileSide;
+    const Camera& camera = this->Tracer.GetScene().ViewCamera;
+    const glm::ivec2 size = glm::clamp(
+      glm::ivec2(camera.Width, camera.Height) - first, glm::ivec2(0), glm::ivec2(LightTileSide));
+    const float total = static_cast<float>(size.x * size.y) * limit; // of the pixels in the image
     float squares[Pixels];
     float sorted[Pixels];
     float sum = 0.f;
@@ -132,7 +136,7 @@ private:
         Square(this->Field.At(first.x + i % LightTileSide, first.y + i / LightTileSide).Error);
       sum += squares[i];
     }
-    if (sum <= Pixels * limit)
+    if (sum <= total)
     {
       return false;
     }
@@ -143,7 +147,7 @@ private:
     for (int i = Pixels - 1; i >= 0; --i)
     {
       below -= sorted[i];
-      level = (Pixels * limit - below) / static_cast<float>(Pixels - i);
+      level = (total - below) / static_cast<float>(Pixels - i);
       if (level >= (i > 0 ? sorted[i - 1] : 0.f))
       {
         break;

@@ -480,9 +480,9 @@ private:
 
 int GetJoiningReach()
 {
-  // Models of adjacent blocks, each fitted in a window of three blocks; and the
-  // same of the bias.
-  return (2 << LightLevels) + (3 << BiasLevel);
+  // Models of adjacent blocks, each fitted in a window of three blocks; and the bias, which averages
+  // changes of such models in the same way.
+  return (3 << LightLevels) + (3 << BiasLevel);
 }
 
 void JoinSites(SiteGrid& grid)
