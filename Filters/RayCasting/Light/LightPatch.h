@@ -8,6 +8,8 @@
 
 #include "LightSite.h"
 
+#include <cstdint>
+
 namespace penumbra
 {
 

@@ -11,6 +11,7 @@
 #include "OcclusionRays.h"
 #include "Sampling/CameraRayTracer.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace penumbra
