@@ -21,7 +21,7 @@ struct LightBenchmark
   std::string Width;            ///< of the images of the part "occlusion", in pixels; empty: 500
   std::string Mesh;             ///< part of the names of its meshes; empty: all
   std::string InverseTolerance; ///< of its images; empty: 256
-  std::string Provider;         ///< of its occlusion: "brute-force" or "cache"; empty: joined pixels
+  std::string Provider; ///< of its occlusion: "brute-force" or "cache"; empty: joined pixels
   ResultTable Results;
 
   /// Tolerance of light relative to that of the image, see vtkPenumbraRayCaster::SetLightTolerance().

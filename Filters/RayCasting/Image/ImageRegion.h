@@ -25,7 +25,7 @@ struct RenderSettings
     Occlusion; ///< null: none beside that of the camera ray tracer
   double OcclusionTolerance = 0.0;
   bool KeepsOcclusion = false; ///< if on, the region stores the mean occlusion of each pixel
-  bool UsePackets = true; ///< If on, trace corner rays in packets of 16.
+  bool UsePackets = true;      ///< If on, trace corner rays in packets of 16.
 
   /// Returns true if light effects add an error of their own.
   bool HasLightErrors() const { return this->Integration.LightTolerance > 0.0 || this->Occlusion; }
