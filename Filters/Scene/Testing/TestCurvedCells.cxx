@@ -246,9 +246,9 @@ TEST(CurvedCells, HaveTheOuterFacesThatVTKFinds)
     source->Update();
     vtkUnstructuredGrid* grid = source->GetOutput();
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
-    if (grid->GetNumberOfCells() == 0)
+    if (grid->GetCellType(0) != type)
     {
-      continue; // the source does not make this type
+      continue; // the source makes hexahedra instead
     }
 #endif
     Bend(grid->GetPoints());
