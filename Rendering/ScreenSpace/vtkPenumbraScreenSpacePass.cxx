@@ -10,6 +10,28 @@
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 
+namespace
+{
+
+/// Copies whether the window renders in stereo to the camera. VTK does so in vtkCamera::Render(),
+/// which is not called for renderers with a pass, so that both eyes would see the same image.
+void UpdateStereo(vtkRenderer* renderer)
+{
+  struct CameraAccess : vtkCamera
+  {
+    static int vtkCamera::*StereoMember() { return &CameraAccess::Stereo; }
+  };
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const int stereo = renderer->GetRenderWindow()->GetStereoRender();
+  if (camera->GetStereo() != stereo)
+  {
+    camera->*CameraAccess::StereoMember() = stereo;
+    camera->Modified();
+  }
+}
+
+}
+
 vtkPenumbraScreenSpacePass::vtkPenumbraScreenSpacePass()
   : ReleaseNotifier(vtkSmartPointer<penumbra::WindowReleaseNotifier>::New())
 {
@@ -28,6 +50,7 @@ void vtkPenumbraScreenSpacePass::Render(const vtkRenderState* state)
     vtkWarningMacro("The pass has no delegate, so nothing is rendered. Call SetDelegatePass().");
     return;
   }
+  UpdateStereo(state->GetRenderer());
   if (state->GetRenderer()->GetSelector() || !this->RenderEffect(state))
   {
     this->DelegatePass->Render(state);

@@ -145,7 +145,8 @@ private:
   glm::vec2 PixelOnPlane(int i, int j) const
   {
     const double unit = this->View.Parallel ? this->View.Unit : 1.0;
-    return glm::vec2((this->View.Scale[0] * (i + .5) + this->View.Offset[0]) / unit,
+    return glm::vec2(
+      (this->View.Scale[0] * (i + .5) + this->View.Offset[0] + this->View.Skew * (j + .5)) / unit,
       (this->View.Scale[1] * (j + .5) + this->View.Offset[1]) / unit);
   }
 

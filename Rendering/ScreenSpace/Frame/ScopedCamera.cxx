@@ -18,14 +18,11 @@ ScopedCamera::ScopedCamera(vtkRenderer* renderer, const ScreenTransform& view)
 {
   vtkSmartPointer<vtkCamera> wide = vtkSmartPointer<vtkCamera>::Take(this->Saved->NewInstance());
   wide->DeepCopy(this->Saved);
+  // The copied camera has VTK's camera coordinates. VTK applies the user's transform to explicit
+  // projections, too.
   vtkNew<vtkMatrix4x4> projection;
-  projection->DeepCopy(view.Projection.data());
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    // The copied camera has VTK's camera coordinates.
-    projection->SetElement(axis, 3,
-      projection->GetElement(axis, 3) + view.EyeOffset[axis] * projection->GetElement(axis, axis));
-  }
+  vtkMatrix4x4::Multiply4x4(view.Projection.data(), view.CameraToEye.data(), projection->GetData());
+  wide->SetUserTransform(nullptr);
   wide->SetExplicitProjectionTransformMatrix(projection);
   wide->UseExplicitProjectionTransformMatrixOn();
   renderer->SetActiveCamera(wide);

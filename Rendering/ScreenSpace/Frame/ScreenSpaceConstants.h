@@ -12,6 +12,12 @@
 namespace penumbra
 {
 
+// --- Camera coordinates (TestOcclusionViews) ---
+
+/// Camera coordinates preserve lengths and angles if products of their axes are at most this far
+/// from 0 and 1. Larger than the rounding of VTK's matrices.
+constexpr double RigidTolerance = 1e-9;
+
 // --- Camera cuts and clipping planes (TestOcclusionHistory) ---
 
 /// Clipping planes are tightened if they are farther from the bounds than by this factor, because

@@ -48,7 +48,14 @@ ScreenTransform ScreenTransform::FromRenderer(
   view.WorldToEye = Copy(camera->GetModelViewTransformMatrix());
   view.Projection =
     Copy(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
-  view.MoveOriginToEye();
+  if (view.HasStandardAxes())
+  {
+    view.MoveOriginToEye();
+  }
+  else
+  {
+    view.MakeEyeRigid();
+  }
   const int sides[2] = { view.Width, view.Height };
   for (int axis = 0; axis < 2; ++axis)
   {
@@ -59,6 +66,9 @@ ScreenTransform ScreenTransform::FromRenderer(
     view.Scale[axis] = 2.0 / (sides[axis] * row[axis]);
     view.Offset[axis] = (-1.0 + (view.Parallel ? -row[3] : row[2])) / row[axis];
   }
+  const double slope = view.Projection[1] / view.Projection[0]; // 0 unless the image is sheared
+  view.Skew = -slope * view.Scale[1];
+  view.Offset[0] -= slope * view.Offset[1];
   return view;
 }
 
@@ -67,12 +77,105 @@ void ScreenTransform::MoveOriginToEye()
   for (int axis = 0; axis < 2 && !this->Parallel; ++axis)
   {
     double* row = this->Projection.data() + 4 * axis;
-    this->EyeOffset[axis] = row[3] / row[axis];
+    const double offset = row[3] / row[axis];
+    this->CameraToEye[4 * axis + 3] = offset;
     row[3] = 0.0;
     for (int k = 0; k < 4; ++k)
     {
-      this->WorldToEye[4 * axis + k] += this->EyeOffset[axis] * this->WorldToEye[12 + k];
+      this->WorldToEye[4 * axis + k] += offset * this->WorldToEye[12 + k];
     }
+  }
+}
+
+bool ScreenTransform::HasStandardAxes() const
+{
+  const double* p = this->Projection.data();
+  const double w = this->Parallel ? p[15] : -p[14];
+  bool standard = p[0] > 0.0 && p[5] > 0.0 && p[1] == 0.0 && p[4] == 0.0 && p[12] == 0.0 &&
+    p[13] == 0.0 && w == 1.0 && (!this->Parallel || (p[2] == 0.0 && p[6] == 0.0));
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = i; j < 3; ++j)
+    {
+      const double dot =
+        vtkMath::Dot(this->WorldToEye.data() + 4 * i, this->WorldToEye.data() + 4 * j);
+      standard = standard && std::abs(dot - (i == j ? 1.0 : 0.0)) < RigidTolerance;
+    }
+  }
+  return standard;
+}
+
+void ScreenTransform::MakeEyeRigid()
+{
+  // Gradients of the clip coordinates x, y and w in world coordinates.
+  Matrix worldToClip;
+  vtkMatrix4x4::Multiply4x4(this->Projection.data(), this->WorldToEye.data(), worldToClip.data());
+  const double* x = worldToClip.data();
+  const double* y = worldToClip.data() + 4;
+  const double* w = worldToClip.data() + 12;
+  double axes[3][3]; // of eye coordinates, in world coordinates
+  if (this->Parallel)
+  {
+    vtkMath::Cross(x, y, axes[2]);
+    const double forward = vtkMath::Dot(axes[2], worldToClip.data() + 8);
+    vtkMath::MultiplyScalar(axes[2], forward > 0.0 ? -1.0 : 1.0);
+  }
+  else
+  {
+    std::transform(w, w + 3, axes[2], [](double value) { return -value; });
+  }
+  vtkMath::Normalize(axes[2]);
+  const double alongAxis = vtkMath::Dot(y, axes[2]);
+  for (int i = 0; i < 3; ++i)
+  {
+    axes[1][i] = y[i] - alongAxis * axes[2][i];
+  }
+  vtkMath::Normalize(axes[1]);
+  vtkMath::Cross(axes[1], axes[2], axes[0]);
+  vtkMath::MultiplyScalar(axes[0], vtkMath::Dot(axes[0], x) < 0.0 ? -1.0 : 1.0);
+
+  // From camera to eye coordinates: the linear part, then the center of projection as origin.
+  Matrix eyeToCamera{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1 };
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      eyeToCamera[4 * row + column] = vtkMath::Dot(this->WorldToEye.data() + 4 * row, axes[column]);
+    }
+  }
+  if (!this->Parallel)
+  {
+    double gradients[3][3];
+    double center[3];
+    constexpr int rows[3] = { 0, 1, 3 };
+    for (int i = 0; i < 3; ++i)
+    {
+      const double* row = this->Projection.data() + 4 * rows[i];
+      std::copy_n(row, 3, gradients[i]);
+      center[i] = -row[3];
+    }
+    vtkMath::LinearSolve3x3(gradients, center, center);
+    for (int row = 0; row < 3; ++row)
+    {
+      eyeToCamera[4 * row + 3] = center[row];
+    }
+  }
+  Matrix product;
+  vtkMatrix4x4::Invert(eyeToCamera.data(), this->CameraToEye.data());
+  vtkMatrix4x4::Multiply4x4(this->CameraToEye.data(), this->WorldToEye.data(), product.data());
+  this->WorldToEye = product;
+  vtkMatrix4x4::Multiply4x4(this->Projection.data(), eyeToCamera.data(), product.data());
+  const double scale = this->Parallel ? product[15] : -product[14];
+  std::transform(product.begin(), product.end(), this->Projection.begin(),
+    [scale](double entry) { return entry / scale; });
+  // Zero by construction, except for rounding.
+  for (const int entry : { 4, 12, 13, this->Parallel ? 14 : 15 })
+  {
+    this->Projection[entry] = 0.0;
+  }
+  for (const int row : { 0, 4 })
+  {
+    this->Projection[row + (this->Parallel ? 2 : 3)] = 0.0;
   }
 }
 
@@ -133,6 +236,8 @@ ScreenTransform ScreenTransform::Downsampled(int block) const
   ScreenTransform view = *this;
   view.Width = (this->Width + block - 1) / block;
   view.Height = (this->Height + block - 1) / block;
+  view.Skew = this->Skew * block;
+  view.Offset[0] += this->Skew * (center + 0.5 - 0.5 * block);
   for (int axis = 0; axis < 2; ++axis)
   {
     view.Scale[axis] = this->Scale[axis] * block;
@@ -158,6 +263,7 @@ void ScreenTransform::SetUniforms(vtkShaderProgram* program) const
     static_cast<float>(this->Scale[1] / unit), static_cast<float>(this->Offset[0] / unit),
     static_cast<float>(this->Offset[1] / unit) };
   program->SetUniform4f("pixelToEye", pixelToEye);
+  program->SetUniformf("pixelSkew", static_cast<float>(this->Skew / unit));
   program->SetUniformf("perspective", this->Parallel ? 0.f : 1.f);
   SetVector(program, "pixelSize", 1.0 / this->Width, 1.0 / this->Height);
   const auto [origin, slope] = this->DepthToEye();
@@ -202,6 +308,7 @@ bool ScreenTransform::IsCutFrom(const ScreenTransform& other, double distance) c
       here[axis] = (this->Scale[axis] * pixel[axis] + this->Offset[axis]) / unitOf(*this) *
         (this->Parallel ? 1.0 : depth);
     }
+    here[0] += this->Skew * pixel[1] / unitOf(*this) * (this->Parallel ? 1.0 : depth);
     double there[3];
     double towardHere[3]; // toward the camera of this view, in the coordinates of the other one
     const double viewed[3] = { this->Parallel ? 0.0 : here[0], this->Parallel ? 0.0 : here[1],
@@ -217,8 +324,9 @@ bool ScreenTransform::IsCutFrom(const ScreenTransform& other, double distance) c
     const double cosine = vtkMath::Dot(towardHere, towardsThere) /
       (vtkMath::Norm(towardHere) * vtkMath::Norm(towardsThere));
     const double perspective = other.Parallel ? 1.0 : -there[2];
-    const double x = (there[0] / perspective * unitOf(other) - other.Offset[0]) / other.Scale[0];
     const double y = (there[1] / perspective * unitOf(other) - other.Offset[1]) / other.Scale[1];
+    const double x =
+      (there[0] / perspective * unitOf(other) - other.Offset[0] - other.Skew * y) / other.Scale[0];
     seen += perspective > 0.0 && x > 0.0 && y > 0.0 && x < other.Width && y < other.Height &&
       cosine > MinimumUncutCosine;
   }
@@ -229,7 +337,8 @@ bool ScreenTransform::HasSameView(const ScreenTransform& other) const
 {
   return this->Width == other.Width && this->Height == other.Height &&
     this->Parallel == other.Parallel && this->Unit == other.Unit &&
-    this->WorldToEye == other.WorldToEye && std::equal(this->Scale, this->Scale + 2, other.Scale) &&
+    this->WorldToEye == other.WorldToEye && this->Skew == other.Skew &&
+    std::equal(this->Scale, this->Scale + 2, other.Scale) &&
     std::equal(this->Offset, this->Offset + 2, other.Offset);
 }
 

@@ -32,10 +32,12 @@ struct VTKPENUMBRARENDERINGSCREENSPACE_EXPORT ScreenTransform
   /// Scale * pixel + Offset is (x, y) on the plane at eye depth 1; parallel: at any depth.
   double Scale[2] = { 1.0, 1.0 };
   double Offset[2] = { 0.0, 0.0 };
+  double Skew = 0.0; ///< times y of a pixel is added to x
 
-  /// Position of VTK's camera coordinates in eye coordinates, in x and y: in stereo, VTK shears the
-  /// projection instead of moving the camera.
-  double EyeOffset[2] = { 0.0, 0.0 };
+  /// Transform from VTK's camera coordinates to eye coordinates: not the identity in stereo, where
+  /// VTK shears the projection instead of moving the camera, and if transforms of the application
+  /// make camera coordinates oblique, while eye coordinates preserve lengths and angles.
+  Matrix CameraToEye{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
 
   /// A depth buffer value of this view times [0] plus [1] is the value that the clipping planes of
   /// the camera would give.
@@ -73,6 +75,14 @@ struct VTKPENUMBRARENDERINGSCREENSPACE_EXPORT ScreenTransform
 private:
   /// Moves the origin of eye coordinates to the center of projection.
   void MoveOriginToEye();
+
+  /// Returns whether camera coordinates preserve lengths and angles, up to rounding, and the
+  /// projection keeps the axes of the image.
+  bool HasStandardAxes() const;
+
+  /// Replaces eye coordinates by ones that preserve lengths and angles. The projection stays the
+  /// same from world to clip coordinates.
+  void MakeEyeRigid();
 
   /// Returns the coefficients of first + second * (1 - depth buffer value), which is the eye depth
   /// or, in perspective, its inverse.

@@ -66,6 +66,7 @@ void SetMotion(
     static_cast<float>(before.Scale[1] / unit), static_cast<float>(before.Offset[0] / unit),
     static_cast<float>(before.Offset[1] / unit) };
   program->SetUniform4f("previousPixelToEye", pixelToEye);
+  program->SetUniformf("previousPixelSkew", static_cast<float>(before.Skew / unit));
   const float pixelSize[2] = { 1.f / static_cast<float>(before.Width),
     1.f / static_cast<float>(before.Height) };
   program->SetUniform2f("previousPixelSize", pixelSize);

@@ -117,8 +117,10 @@ std::array<Interval, 2> ProjectView(const Matrix& worldToLight, const ScreenTran
   std::array<Interval, 2> parts;
   for (int corner = 0; corner < 4; ++corner)
   {
-    const double plane[2] = { view.Offset[0] + (corner & 1) * view.Scale[0] * view.Width,
-      view.Offset[1] + (corner >> 1) * view.Scale[1] * view.Height };
+    const double y = (corner >> 1) * view.Height;
+    const double plane[2] = { view.Offset[0] + (corner & 1) * view.Scale[0] * view.Width +
+        view.Skew * y,
+      view.Offset[1] + view.Scale[1] * y };
     const Point onPlane = { plane[0], plane[1], 0.0 };
     const Point start = view.Parallel ? onPlane : Point{ 0.0, 0.0, 0.0 };
     const Point slope = view.Parallel ? Point{ 0.0, 0.0, -1.0 } : Point{ plane[0], plane[1], -1.0 };

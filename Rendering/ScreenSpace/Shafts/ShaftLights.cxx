@@ -42,10 +42,12 @@ bool IsInImage(const float position[4], const ScreenTransform& view)
   }
   const double unit = view.Parallel ? view.Unit : 1.0;
   const int sizes[2] = { view.Width, view.Height };
-  for (int axis = 0; axis < 2; ++axis)
+  double pixel = 0.0;
+  for (const int axis : { 1, 0 })
   {
     const double plane = unit * position[axis] / (view.Parallel ? 1.0 : position[2]);
-    const double pixel = (plane - view.Offset[axis]) / view.Scale[axis];
+    const double skew = axis == 0 ? view.Skew * pixel : 0.0;
+    pixel = (plane - skew - view.Offset[axis]) / view.Scale[axis];
     if (!(pixel >= 0.0 && pixel <= sizes[axis]))
     {
       return false;

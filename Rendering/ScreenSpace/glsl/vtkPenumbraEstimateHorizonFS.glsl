@@ -53,7 +53,7 @@ float sliceOcclusion(SurfacePoint point, vec3 view, float azimuth, float shift)
   float cosNormalAngle = clamp(dot(projected, view) / projectedLength, -1.0, 1.0);
   float sinNormalAngle = -dot(view, tangent);
   float normalAngle = sign(sinNormalAngle) * acos(cosNormalAngle);
-  vec2 step = direction.xy * radiusInPixels(point) / float(stepsPerSide);
+  vec2 step = radiusInPixels(point, direction.xy) / float(stepsPerSide);
   vec3 up = point.normal / projectedLength;
   vec2 right = horizon(point, up, tangent, step, shift);
   vec2 left = horizon(point, up, -tangent, -step, shift);

@@ -49,10 +49,10 @@ vec4 pixelSample(int index, vec2 pixel)
   return fract(point + pixelRotation * shift);
 }
 
-// Returns the radius at a point projected onto the image, in pixels.
-vec2 radiusInPixels(SurfacePoint point)
+// Returns an offset of one radius in a direction of the image plane at a point, in pixels.
+vec2 radiusInPixels(SurfacePoint point, vec2 direction)
 {
-  return 1.0 / (pixelToEye.xy * mix(1.0, -point.position.z, perspective));
+  return pixelOffsetOnPlane(direction / mix(1.0, -point.position.z, perspective));
 }
 
 //VTK::Penumbra::Kernel

@@ -100,7 +100,7 @@ float sliceOcclusion(SurfacePoint point, vec3 view, vec4 xi)
   vec3 projected = point.normal - axis * dot(point.normal, axis);
   float projectedLength = length(projected);
   float normalAngle = atan(dot(projected, across), dot(projected, view));
-  vec2 step = direction.xy * radiusInPixels(point) / float(stepsPerSide);
+  vec2 step = radiusInPixels(point, direction.xy) / float(stepsPerSide);
   vec3 up = point.normal / projectedLength;
   SliceSide right = searchSide(point, view, across, up, step, xi.y);
   SliceSide left = searchSide(point, view, -across, up, -step, xi.y);

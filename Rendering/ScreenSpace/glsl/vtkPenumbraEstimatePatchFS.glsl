@@ -15,14 +15,13 @@ const float minimumDistance = 0.05;
 
 float occlusionAt(SurfacePoint point, int pointCount)
 {
-  vec2 radius = radiusInPixels(point);
   float sum = 0.0;
   for (int i = 0; i < pointCount; ++i)
   {
     vec4 xi = pixelSample(i, point.pixel);
     float angle = 2.0 * pi * xi.x;
     vec2 offset = sqrt(xi.y) * vec2(cos(angle), sin(angle));
-    vec3 delta = eyePositionAt(point.pixel + offset * radius) - point.position;
+    vec3 delta = eyePositionAt(point.pixel + radiusInPixels(point, offset)) - point.position;
     float distance = length(delta);
     float cosine = dot(delta, point.normal) / max(distance, 1e-6);
     sum += distance < 1.0 ? max(cosine, 0.0) / max(distance, minimumDistance) : 0.0;

@@ -15,7 +15,7 @@ mat3 tangentFrame(vec3 normal)
 // pixels.
 float tangentDepth(SurfacePoint point, vec2 pixel)
 {
-  vec2 plane = pixelToEye.xy * pixel + pixelToEye.zw;
+  vec2 plane = planeOfPixel(pixel);
   float inPerspective = dot(point.normal, point.position) / dot(point.normal, vec3(plane, -1.0));
   float inParallel =
     dot(point.normal.xy, plane - point.position.xy) / point.normal.z - point.position.z;

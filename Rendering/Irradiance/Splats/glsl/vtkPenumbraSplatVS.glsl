@@ -40,7 +40,7 @@ void main()
     vec2 x = projectInterval(center.x - radius, center.x + radius, near, far);
     vec2 y = projectInterval(center.y - radius, center.y + radius, near, far);
     vec2 plane = vec2(mix(x.x, x.y, corner.x), mix(y.x, y.y, corner.y));
-    position = 2.0 * (plane - pixelToEye.zw) / pixelToEye.xy * pixelSize - 1.0;
+    position = 2.0 * pixelOffsetOnPlane(plane - pixelToEye.zw) * pixelSize - 1.0;
   }
   float farDepth = toBufferDepth((-center.z + radius) * 1.0001);
   // Spheres behind the camera are moved out of the image.

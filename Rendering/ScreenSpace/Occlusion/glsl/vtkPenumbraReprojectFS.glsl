@@ -15,6 +15,7 @@ uniform sampler2D history;         // r: sum, g: number of samples
 uniform sampler2D previousEyeDepths;
 uniform mat4 toPreviousEye;        // from eye coordinates to those of the previous frame
 uniform vec4 previousPixelToEye;
+uniform float previousPixelSkew;
 uniform vec2 previousPixelSize;    // 1 / size of the previous frame
 uniform float growingHistoryWeight; // weight below which a history is short
 uniform float settledHistoryWeight; // weight from which on a history is settled
@@ -31,13 +32,15 @@ const float neighborSampleWeight = 0.01;
 
 vec2 previousPlane(vec2 pixel)
 {
-  return previousPixelToEye.xy * pixel + previousPixelToEye.zw;
+  return previousPixelToEye.xy * pixel + previousPixelToEye.zw +
+    vec2(previousPixelSkew * pixel.y, 0.0);
 }
 
 vec2 previousPixel(vec3 position)
 {
-  vec2 plane = position.xy / mix(1.0, -position.z, perspective);
-  return (plane - previousPixelToEye.zw) / previousPixelToEye.xy;
+  vec2 plane = position.xy / mix(1.0, -position.z, perspective) - previousPixelToEye.zw;
+  float y = plane.y / previousPixelToEye.y;
+  return vec2((plane.x - previousPixelSkew * y) / previousPixelToEye.x, y);
 }
 
 float previousDepthAt(vec2 pixel)
@@ -61,7 +64,8 @@ vec2 sampleHistory(vec3 position, vec3 normal)
   vec2 fraction = at - corner;
   // At a pixel, the depth d of the plane satisfies d * perDepth = planeDepth. Both are linear
   // functions of the pixel, so that no division is needed.
-  vec2 planeSlope = normal.xy * previousPixelToEye.xy;
+  vec2 planeSlope =
+    normal.xy * previousPixelToEye.xy + vec2(0.0, previousPixelSkew * normal.x);
   float planeDot = dot(normal.xy, previousPlane(corner));
   float planeOffset = dot(normal, position);
   vec2 sum = vec2(0.0);

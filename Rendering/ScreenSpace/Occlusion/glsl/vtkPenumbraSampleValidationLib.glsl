@@ -17,7 +17,6 @@ const int neighborCountOnPropChange = 48;
 // [TSSAO eq. 9].
 float neighborDistanceChange(SurfacePoint point, vec3 before)
 {
-  vec2 radius = 1.0 / (pixelToEye.xy * mix(1.0, -point.position.z, perspective));
   float rotation =
     6.2831853 * fract(52.9829189 * fract(dot(floor(point.pixel), vec2(0.06711056, 0.00583715))));
   float centerActor = actorAt(point.pixel);
@@ -27,7 +26,9 @@ float neighborDistanceChange(SurfacePoint point, vec3 before)
   {
     float angle = rotation + 2.3999632 * float(i); // the golden angle
     float ringRadius = sqrt((float(i) + 0.5) / float(count));
-    vec2 pixel = point.pixel + ringRadius * radius * vec2(cos(angle), sin(angle));
+    vec2 offset = ringRadius * vec2(cos(angle), sin(angle));
+    vec2 pixel = point.pixel +
+      pixelOffsetOnPlane(offset / mix(1.0, -point.position.z, perspective));
     vec3 now = eyePositionAt(pixel);
     float actor = actorAt(pixel);
     vec3 reprojected = (actorMotion(actor) * vec4(now, 1.0)).xyz;

@@ -67,7 +67,7 @@ float binPointOf(vec2 odd)
 float estimateLitFraction(ViewRay ray, vec2 pixel, float eyeDepth)
 {
   float planeFactor = perspective > 0.5 ? light.z : light.w;
-  vec2 pixelsPerQ = (light.xy - ray.plane * planeFactor) / pixelToEye.xy;
+  vec2 pixelsPerQ = pixelOffsetOnPlane(light.xy - ray.plane * planeFactor);
   float stride = lastStep(pixel, pixelsPerQ) / float(steps);
   uvec2 shadowed = uvec2(0u);
   float square = max(dot(pixelsPerQ, pixelsPerQ), 1e-12);

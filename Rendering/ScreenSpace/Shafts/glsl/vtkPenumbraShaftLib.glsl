@@ -74,7 +74,7 @@ float columnToLight(vec3 point, vec3 toLight, float lightDistance)
 ViewRay clipViewRay(vec2 pixel, float eyeDepth)
 {
   ViewRay ray;
-  ray.plane = pixelToEye.xy * pixel + pixelToEye.zw;
+  ray.plane = planeOfPixel(pixel);
   vec3 direction = vec3(perspective * ray.plane, 1.0);
   ray.lengthPerDepth = length(direction);
   ray.direction = direction / ray.lengthPerDepth;

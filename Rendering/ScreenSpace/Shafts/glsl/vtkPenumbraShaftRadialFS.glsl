@@ -27,8 +27,7 @@ uniform float isLastPass;   // 1: the last of the chained passes
 
 vec2 pathToLight(vec2 pixel, float planeFactor)
 {
-  vec2 plane = pixelToEye.xy * pixel + pixelToEye.zw;
-  return (light.xy - plane * planeFactor) / pixelToEye.xy;
+  return pixelOffsetOnPlane(light.xy - planeOfPixel(pixel) * planeFactor);
 }
 
 // Step of a path that ends at the light or at the image edge, as a fraction of `path`.

@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The images of the occlusion pass for stereo types and for transforms of the camera, compared with
+// windows without the pass and with monoscopic images.
+#include "OcclusionScene.h"
+
+#include "vtkCamera.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkProperty.h"
+#include "vtkTransform.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+
+namespace
+{
+
+using Pass = vtkPenumbraTemporalSSAOPass;
+
+/// Colored spheres on a floor.
+void BuildColoredSpheres(OcclusionScene& scene)
+{
+  scene.AddFloor()->GetProperty()->SetColor(0.9, 0.8, 0.7);
+  for (int i = 0; i < 3; ++i)
+  {
+    scene.AddSphere({ 1.1 * i - 1.1, 0.3 * i, 0.45 }, 0.45)
+      ->GetProperty()
+      ->SetColor(0.5 + 0.2 * i, 1.0 - 0.3 * i, 0.6);
+  }
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0.4 });
+  scene.Renderer->GetActiveCamera()->SetEyeAngle(10.0);
+}
+
+int LargestDifference(const std::vector<int>& a, const std::vector<int>& b)
+{
+  int largest = a.size() == b.size() ? 0 : 256;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+  {
+    largest = std::max(largest, std::abs(a[i] - b[i]));
+  }
+  return largest;
+}
+
+/// Returns the fraction of pixels with a color that differs by more than `tolerance`.
+double FractionOff(const std::vector<int>& a, const std::vector<int>& b, int tolerance)
+{
+  int off = a.size() == b.size() ? 0 : static_cast<int>(a.size());
+  for (std::size_t i = 0; i + 3 < std::min(a.size(), b.size()); i += 4)
+  {
+    off += std::abs(a[i] - b[i]) > tolerance || std::abs(a[i + 1] - b[i + 1]) > tolerance ||
+      std::abs(a[i + 2] - b[i + 2]) > tolerance;
+  }
+  return 4.0 * off / static_cast<double>(a.size());
+}
+
+/// A transform of the camera and the pass of an image of the spheres.
+struct View
+{
+  double Strength = -1.0; ///< negative: without the pass
+  int StereoType = 0;     ///< 0: none
+  std::function<void(vtkCamera*)> SetCamera = [](vtkCamera*) {};
+  bool Parallel = false;
+};
+
+std::vector<int> Draw(const View& view)
+{
+  OcclusionScene scene;
+  BuildColoredSpheres(scene);
+  if (view.Parallel)
+  {
+    scene.UseParallelProjection(true, 1.5);
+  }
+  view.SetCamera(scene.Renderer->GetActiveCamera());
+  if (view.Strength >= 0.0)
+  {
+    scene.AddOcclusionPass(0.5)->SetStrength(view.Strength);
+    scene.Pass->SetKernelName("march");
+  }
+  if (view.StereoType)
+  {
+    scene.Window->SetStereoType(view.StereoType);
+    scene.Window->StereoRenderOn();
+  }
+  scene.Window->Render();
+  return scene.Image();
+}
+
+/// Moves the camera to an eye of a stereo view: VTK shears the view about the plane through the
+/// focal point, which is the image of a camera beside it with an oblique frustum.
+void MoveToEye(vtkCamera* camera, bool left)
+{
+  const double angle = vtkMath::RadiansFromDegrees(camera->GetEyeAngle() / 2.0);
+  const double shift = camera->GetDistance() * std::tan(angle) * (left ? -1.0 : 1.0);
+  double right[3];
+  camera->OrthogonalizeViewUp();
+  vtkMath::Cross(camera->GetDirectionOfProjection(), camera->GetViewUp(), right);
+  vtkMath::Normalize(right);
+  double position[3];
+  double focus[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    position[i] = camera->GetPosition()[i] + shift * right[i];
+    focus[i] = camera->GetFocalPoint()[i] + shift * right[i];
+  }
+  camera->SetPosition(position);
+  camera->SetFocalPoint(focus);
+  const double halfHeight =
+    camera->GetDistance() * std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle() / 2.0));
+  camera->SetWindowCenter(-shift / (halfHeight * 160.0 / 120.0), 0.0);
+}
+
+constexpr int AllTypes[] = { VTK_STEREO_LEFT, VTK_STEREO_RIGHT, VTK_STEREO_ANAGLYPH,
+  VTK_STEREO_RED_BLUE, VTK_STEREO_INTERLACED, VTK_STEREO_CHECKERBOARD, VTK_STEREO_DRESDEN,
+  VTK_STEREO_SPLITVIEWPORT_HORIZONTAL };
+
+TEST(OcclusionViews, KeepEveryStereoType)
+{
+  const std::vector<int> middle = Draw({});
+  for (const int type : AllTypes)
+  {
+    SCOPED_TRACE(type);
+    const std::vector<int> plain = Draw({ -1.0, type });
+    EXPECT_GT(FractionOff(plain, middle, 20), 0.01);
+    EXPECT_LE(LargestDifference(Draw({ 0.0, type }), plain), 2);
+  }
+}
+
+TEST(OcclusionViews, ShowEachEyeAsACameraAtTheEye)
+{
+  for (const bool left : { true, false })
+  {
+    for (const double strength : { -1.0, 1.0 })
+    {
+      SCOPED_TRACE(strength);
+      const View eye{ strength, 0, [&](vtkCamera* camera) { MoveToEye(camera, left); } };
+      const std::vector<int> expected = Draw(eye);
+      const std::vector<int> image = Draw({ strength, left ? VTK_STEREO_LEFT : VTK_STEREO_RIGHT });
+      EXPECT_LE(FractionOff(image, expected, 4), strength > 0.0 ? 0.01 : 0.002);
+    }
+  }
+}
+
+/// Camera transforms that are not rigid.
+std::vector<std::function<void(vtkCamera*)>> ObliqueTransforms()
+{
+  std::vector<std::function<void(vtkCamera*)>> transforms;
+  const auto add = [&](bool viewTransform, int row, int column, double value) {
+    transforms.push_back([=](vtkCamera* camera) {
+      vtkNew<vtkMatrix4x4> matrix;
+      matrix->SetElement(row, column, value);
+      vtkNew<vtkTransform> transform;
+      transform->SetMatrix(matrix);
+      viewTransform ? camera->SetUserViewTransform(transform) : camera->SetUserTransform(transform);
+    });
+  };
+  for (const bool viewTransform : { false, true })
+  {
+    add(viewTransform, 0, 1, 0.3);
+    add(viewTransform, 1, 0, -0.3);
+    add(viewTransform, 0, 0, 1.4);
+    add(viewTransform, 0, 0, -1.0);
+  }
+  add(true, 0, 2, 0.1);
+  add(true, 2, 2, 1.2);
+  return transforms;
+}
+
+TEST(OcclusionViews, KeepTransformsOfTheCamera)
+{
+  for (const bool parallel : { false, true })
+  {
+    int index = 0;
+    for (const auto& transform : ObliqueTransforms())
+    {
+      SCOPED_TRACE(index++);
+      const std::vector<int> plain = Draw({ -1.0, 0, transform, parallel });
+      const std::vector<int> image = Draw({ 0.0, 0, transform, parallel });
+      EXPECT_LE(LargestDifference(image, plain), 2);
+    }
+  }
+}
+
+TEST(OcclusionViews, OccludeByWorldLengthsUnderTransformsOfTheCamera)
+{
+  // The occlusion of a floor beside a wall has a closed form in world coordinates.
+  for (const char* kernel : { "march", "patch" })
+  {
+    const auto errorWith = [&](const std::function<void(vtkCamera*)>& transform) {
+      OcclusionScene scene;
+      scene.AddOcclusionPass(1.0)->SetKernelName(kernel);
+      transform(scene.Renderer->GetActiveCamera());
+      return RootMeanSquare(ErrorsBeforeAWall(scene));
+    };
+    const double expected = errorWith([](vtkCamera*) {});
+    EXPECT_LT(expected, 0.07);
+    for (const auto& transform : ObliqueTransforms())
+    {
+      EXPECT_NEAR(errorWith(transform), expected, 0.007) << kernel;
+    }
+  }
+}
+
+}
