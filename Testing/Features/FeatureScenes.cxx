@@ -26,6 +26,7 @@
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -232,6 +233,26 @@ void AddMaterials(SceneList& add)
     Feature::PhysicallyBased, [](Renderer r, Window) { AddPhysicallyBased(r, false, true); },
     0.004);
   add(Feature::PhysicallyBased, [](Renderer r, Window) { AddPhysicallyBased(r, true, false); });
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  for (const bool lighting : { true, false })
+  {
+    add(Feature::PhysicallyBased, [lighting](Renderer r, Window) { // mapped colors
+      vtkActor* actor = Add(r, MakePlane());
+      auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
+      vtkPolyData* plane = mapper->GetInput();
+      vtkNew<vtkUnsignedCharArray> colors;
+      colors->SetNumberOfComponents(3);
+      for (vtkIdType i = 0; i < plane->GetNumberOfPoints(); ++i)
+      {
+        colors->InsertNextTuple3(30 + 50 * (i % 5), 220 - 40 * (i % 4), 100);
+      }
+      plane->GetPointData()->SetScalars(colors);
+      mapper->ScalarVisibilityOn();
+      actor->GetProperty()->SetInterpolationToPBR();
+      actor->GetProperty()->SetLighting(lighting);
+    });
+  }
+#endif
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
   add(Feature::PhysicallyBased, [](Renderer r, Window) { // VTK 9.2 draws linear colors
     vtkProperty* property = Add(r, MakePlane())->GetProperty();

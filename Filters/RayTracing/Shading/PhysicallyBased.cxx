@@ -5,6 +5,8 @@
 #include "Surface.h"
 #include "SurfaceColor.h"
 
+#include "vtkVersionMacros.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -211,6 +213,15 @@ glm::vec3 PhysicallyBased::ToDisplayColor(glm::vec3 radiance) const
 glm::vec3 PhysicallyBased::EncodeColor(glm::vec3 linear)
 {
   return glm::pow(glm::max(linear, glm::vec3(0.f)), glm::vec3(1.f / 2.2f));
+}
+
+glm::vec3 PhysicallyBased::DecodeMappedColor(glm::vec3 color)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return glm::pow(glm::max(color, glm::vec3(0.f)), glm::vec3(2.2f));
+#else
+  return color; // linear in VTK's rasterizer, too
+#endif
 }
 
 }

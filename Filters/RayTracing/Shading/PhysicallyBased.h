@@ -35,6 +35,10 @@ public:
   /// Returns the color that VTK 9.7 displays for a linear one.
   static glm::vec3 EncodeColor(glm::vec3 linear);
 
+  /// Returns the linear color of mapped scalars or colors of vertices, which VTK 9.7 treats as
+  /// display colors.
+  static glm::vec3 DecodeMappedColor(glm::vec3 color);
+
   /// Returns the normal after the normal texture was applied.
   glm::vec3 GetNormal() const { return this->Normal; }
   float GetMetallic() const { return this->Metallic; }

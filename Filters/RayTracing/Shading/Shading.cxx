@@ -205,6 +205,11 @@ ShadedHit Shading::ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long lo
     const glm::vec4 color = MappedColor(surface, hit, corners, weights);
     modified.Ambient = material.AmbientCoefficient * glm::vec3(color);
     modified.Diffuse = material.DiffuseCoefficient * glm::vec3(color);
+    if (coefficients->PbrMaterial)
+    {
+      modified.Ambient = PhysicallyBased::DecodeMappedColor(modified.Ambient);
+      modified.Diffuse = PhysicallyBased::DecodeMappedColor(modified.Diffuse);
+    }
     modified.Opacity *= color.a;
     coefficients = &modified;
   }
