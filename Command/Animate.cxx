@@ -21,6 +21,8 @@
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
+#include "vtkCamera.h"
+#include "vtkLight.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
@@ -46,19 +48,19 @@ AnimatedScene ReadScene(const RenderOptions& options, const StepInput& input, bo
 {
   ProgressLine silent("none");
   AnimatedScene scene;
-  std::vector<vtkSmartPointer<vtkPolyData>> meshes;
+  Surfaces surfaces;
   for (const std::string& file : input.Files)
   {
-    const auto more =
+    const Surfaces more =
       ReadMeshes({ file }, GetInputOptions(options, input.Time, allowEmpty), silent, warnings);
-    meshes.insert(meshes.end(), more.begin(), more.end());
-    scene.Actors.push_back(static_cast<int>(more.size()));
+    surfaces.Append(more);
+    scene.Actors.push_back(static_cast<int>(more.Meshes.size()));
   }
   EnterPhase("rendering " + options.Output, Unavailable);
   try
   {
     scene.Renderer =
-      BuildScene(meshes, options, options.Engine == "ray" ? 1.0 : options.DotsPerInch / 72.0);
+      BuildScene(surfaces, options, options.Engine == "ray" ? 1.0 : options.DotsPerInch / 72.0);
   }
   catch (const CommandError& error)
   {

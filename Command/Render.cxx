@@ -17,6 +17,9 @@
 #include "Scene/SceneBuilder.h"
 #include "Subcommands.h"
 
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkLight.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
@@ -68,14 +71,14 @@ int RenderImage(const RenderOptions& options, Clock::time_point start)
   PhaseTimes preparation{ start };
   std::vector<std::string> warnings;
   Clock::time_point lap = Clock::now();
-  const auto meshes =
+  const Surfaces surfaces =
     ReadMeshes(options.Files, GetInputOptions(options, options.ShownTime), progress, warnings);
   preparation.ReadSeconds = SecondsSince(lap);
 
   EnterPhase("rendering " + options.Output, Unavailable);
   lap = Clock::now();
   const vtkSmartPointer<vtkRenderer> renderer =
-    BuildScene(meshes, options, rays ? 1.0 : options.DotsPerInch / 72.0);
+    BuildScene(surfaces, options, rays ? 1.0 : options.DotsPerInch / 72.0);
   preparation.SceneSeconds = SecondsSince(lap);
   const auto listener = [&progress](double fraction) { progress.Show("rendering", fraction); };
   const RenderResult result =

@@ -10,9 +10,12 @@
 #include "Processes/ProgressLine.h"
 #include "Processes/Worker.h"
 
+#include "vtkActor.h"
 #include "vtkActorCollection.h"
+#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkLight.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
@@ -82,19 +85,24 @@ std::string DescribeEmptyImage(
 InputOptions GetInputOptions(
   const RenderOptions& options, std::optional<double> time, bool allowEmpty)
 {
-  return { time, allowEmpty, { options.Cuts, options.Coloring.Array, options.Coloring.ByCells } };
+  return { time, options.Materials, allowEmpty,
+    { options.Cuts, options.Coloring.Array, options.Coloring.ByCells } };
 }
 
-std::vector<vtkSmartPointer<vtkPolyData>> ReadMeshes(const std::vector<std::string>& files,
-  const InputOptions& input, ProgressLine& progress, std::vector<std::string>& warnings)
+Surfaces ReadMeshes(const std::vector<std::string>& files, const InputOptions& input,
+  ProgressLine& progress, std::vector<std::string>& warnings)
 {
-  std::vector<vtkSmartPointer<vtkPolyData>> meshes;
+  Surfaces all;
   for (std::size_t i = 0; i < files.size(); ++i)
   {
     progress.Show("reading", static_cast<double>(i) / files.size());
     EnterPhase(files[i], BadInput);
     const Surfaces surfaces = ReadSurfaces(files[i], input);
-    meshes.insert(meshes.end(), surfaces.Meshes.begin(), surfaces.Meshes.end());
+    all.Append(surfaces);
+    for (const std::string& warning : surfaces.Warnings)
+    {
+      warnings.push_back(files[i] + ": " + warning);
+    }
     if (surfaces.DroppedPoints > 0)
     {
       warnings.push_back(files[i] + ": " + std::to_string(surfaces.DroppedPoints) + " of " +
@@ -106,7 +114,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> ReadMeshes(const std::vector<std::stri
       warnings.push_back(files[i] + ": " + DescribeRounding(surfaces));
     }
   }
-  return meshes;
+  return all;
 }
 
 OutputFiles::OutputFiles(const RenderOptions& options)

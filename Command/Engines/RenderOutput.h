@@ -15,8 +15,6 @@
 #include <string>
 #include <vector>
 
-class vtkPolyData;
-
 namespace penumbra
 {
 
@@ -26,9 +24,10 @@ class ProgressLine;
 InputOptions GetInputOptions(
   const RenderOptions& options, std::optional<double> time, bool allowEmpty = false);
 
-/// Reads the surfaces of all files in order. Skipped points are reported in `warnings`.
-std::vector<vtkSmartPointer<vtkPolyData>> ReadMeshes(const std::vector<std::string>& files,
-  const InputOptions& input, ProgressLine& progress, std::vector<std::string>& warnings);
+/// Reads the surfaces of all files in order. Skipped points and missing textures are reported in
+/// `warnings`.
+Surfaces ReadMeshes(const std::vector<std::string>& files, const InputOptions& input,
+  ProgressLine& progress, std::vector<std::string>& warnings);
 
 /// Times of the phases before rendering.
 struct PhaseTimes

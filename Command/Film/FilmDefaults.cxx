@@ -14,6 +14,9 @@
 #include "Processes/WorkerTexts.h"
 #include "Scene/SceneBuilder.h"
 
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkLight.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
@@ -33,13 +36,13 @@ std::string FindFrameDefaults(const StepInput& input, RenderOptions options)
 {
   ProgressLine silent("none");
   std::vector<std::string> ignored;
-  const auto meshes =
+  const Surfaces surfaces =
     ReadMeshes(input.Files, GetInputOptions(options, input.Time, true), silent, ignored);
-  if (meshes.empty())
+  if (surfaces.Meshes.empty())
   {
     return std::string();
   }
-  const vtkSmartPointer<vtkRenderer> renderer = BuildScene(meshes, options, 1.0);
+  const vtkSmartPointer<vtkRenderer> renderer = BuildScene(surfaces, options, 1.0);
   FreezeOptions(renderer, ComputeBounds(renderer, options).GetDiagonalLength(), options);
   return FormatJsonObject(DescribeFrozen(options));
 }

@@ -12,6 +12,9 @@
 #include "Processes/WorkerTexts.h"
 #include "Scene/SceneBuilder.h"
 
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkLight.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
@@ -30,13 +33,13 @@ std::string FindRange(const StepInput& step, RenderOptions options)
   std::vector<std::string> ignored;
   try
   {
-    const auto meshes =
+    const Surfaces surfaces =
       ReadMeshes(step.Files, GetInputOptions(options, step.Time, true), silent, ignored);
-    if (meshes.empty())
+    if (surfaces.Meshes.empty())
     {
       return std::string();
     }
-    FreezeColoring(BuildScene(meshes, options, 1.0), options.Coloring);
+    FreezeColoring(BuildScene(surfaces, options, 1.0), options.Coloring);
   }
   catch (const CommandError&)
   {

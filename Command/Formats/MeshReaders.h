@@ -25,6 +25,14 @@ vtkSmartPointer<vtkDataObject> ReadAbaqus(const std::string& path);
 /// name.
 vtkSmartPointer<vtkDataObject> ReadPly(const std::string& path);
 
+///@{
+/// Arrays of ReadObj(): the cell array of material ids, and the field data arrays with the names of
+/// the materials, by id, and of their files, one string per line of the OBJ file.
+constexpr const char* ObjMaterialIds = "MaterialIds";
+constexpr const char* ObjMaterialNames = "MaterialNames";
+constexpr const char* ObjLibraryNames = "MaterialLibraries";
+///@}
+
 /// Polygons, lines and points with groups, materials, normals, texture coordinates and colors.
 vtkSmartPointer<vtkDataObject> ReadObj(const std::string& path);
 

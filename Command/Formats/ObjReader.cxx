@@ -11,6 +11,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
@@ -18,6 +19,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
 #include <map>
 
@@ -113,11 +115,32 @@ private:
       // An object usually contains one group: both lines together start one.
       this->Group = static_cast<int>(this->UsedGroups);
     }
+    else if (keyword == "mtllib")
+    {
+      this->Libraries.push_back(this->RestOfLine());
+    }
     else if (keyword == "usemtl")
     {
-      const std::string name(this->Text.WordInLine());
-      this->Material = this->MaterialIds.emplace(name, this->MaterialIds.size()).first->second;
+      const auto [found, isNew] =
+        this->MaterialIds.emplace(this->RestOfLine(), static_cast<int>(this->Materials.size()));
+      if (isNew)
+      {
+        this->Materials.push_back(found->first);
+      }
+      this->Material = found->second;
     }
+  }
+
+  /// Returns the words left in the line: names may contain blanks.
+  std::string RestOfLine()
+  {
+    std::string rest;
+    for (std::string_view word = this->Text.WordInLine(); !word.empty();
+         word = this->Text.WordInLine())
+    {
+      rest += (rest.empty() ? "" : " ") + std::string(word);
+    }
+    return rest;
   }
 
   void ReadVertex()
@@ -189,7 +212,7 @@ private:
     vtkNew<vtkIntArray> groups;
     groups->SetName("GroupIds");
     vtkNew<vtkIntArray> materials;
-    materials->SetName("MaterialIds");
+    materials->SetName(ObjMaterialIds);
     for (const CellList* list : lists)
     {
       if (list == &this->Points)
@@ -214,8 +237,21 @@ private:
     if (!this->MaterialIds.empty())
     {
       mesh->GetCellData()->AddArray(materials);
+      AddNames(ObjMaterialNames, this->Materials, mesh);
+      AddNames(ObjLibraryNames, this->Libraries, mesh);
     }
     return mesh;
+  }
+
+  static void AddNames(const char* array, const std::vector<std::string>& names, vtkPolyData* mesh)
+  {
+    vtkNew<vtkStringArray> strings;
+    strings->SetName(array);
+    for (const std::string& name : names)
+    {
+      strings->InsertNextValue(name);
+    }
+    mesh->GetFieldData()->AddArray(strings);
   }
 
   [[noreturn]] void FailAt(const std::string& reason) const
@@ -231,6 +267,8 @@ private:
   CellList Lines;
   CellList Points;
   std::map<std::string, int> MaterialIds;
+  std::vector<std::string> Materials; ///< names by id
+  std::vector<std::string> Libraries;
   int Group = 0;
   int Material = -1;
   std::size_t UsedGroups = 0;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GltfCopy.h"
 
-#include "MappedFile.h"
+#include "Files/InputFiles.h"
+#include "Files/MappedFile.h"
+#include "GltfImages.h"
 #include "Processes/CommandError.h"
 #include "Processes/Worker.h"
 
@@ -15,6 +17,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <vector>
 
 #include <unistd.h>
@@ -154,7 +157,8 @@ public:
       this->Root.contains("textures") || this->Root.contains("extensionsRequired");
   }
 
-  std::string Write()
+  /// Writes the copy and returns its path. `warnings`: null to leave materials out.
+  std::string Write(std::vector<std::string>* warnings)
   {
     this->RefuseCompression();
     this->JoinBuffers();
@@ -162,7 +166,15 @@ public:
     {
       this->MakeDense(accessor);
     }
-    this->RemoveMaterials();
+    this->RemoveExtensions();
+    if (warnings)
+    {
+      this->EmbedImages(*warnings);
+    }
+    else
+    {
+      this->RemoveMaterials();
+    }
     this->Root["buffers"] = Json::array({ { { "byteLength", this->Joined.size() } } });
     return this->WriteBinary();
   }
@@ -311,18 +323,97 @@ private:
       }
       accessor.erase("sparse");
     }
+    accessor["bufferView"] = this->AddView(elements);
+    accessor["byteOffset"] = 0;
+  }
+
+  /// Appends bytes to the buffer and returns the index of their view.
+  std::size_t AddView(const std::string& bytes)
+  {
     this->Joined.resize((this->Joined.size() + 3) / 4 * 4);
     Json& views = this->Root["bufferViews"];
-    accessor["bufferView"] = views.size();
-    accessor["byteOffset"] = 0;
-    views.push_back({ { "buffer", 0 }, { "byteOffset", this->Joined.size() },
-      { "byteLength", elements.size() } });
-    this->Joined += elements;
+    views.push_back(
+      { { "buffer", 0 }, { "byteOffset", this->Joined.size() }, { "byteLength", bytes.size() } });
+    this->Joined += bytes;
+    return views.size() - 1;
+  }
+
+  /// Returns the bytes of an image; empty if they are missing.
+  std::string ReadImageBytes(const Json& image) const
+  {
+    if (image.contains("bufferView"))
+    {
+      const Json& view = this->Root.at("bufferViews").at(image["bufferView"].get<std::size_t>());
+      return this->Joined.substr(
+        view.at("byteOffset").get<std::size_t>(), view.at("byteLength").get<std::size_t>());
+    }
+    const std::string uri = image.value("uri", std::string());
+    if (uri.compare(0, 5, "data:") == 0)
+    {
+      return DecodeBase64(uri.substr(std::min(uri.find(','), uri.size())));
+    }
+    const std::filesystem::path folder = std::filesystem::path(this->Path).parent_path();
+    const std::filesystem::path name = DecodePercents(uri);
+    for (const std::filesystem::path& path : { folder / name, folder / name.filename() })
+    {
+      const MappedFile file(uri.empty() ? std::string() : path.string());
+      if (file.Size() > 0)
+      {
+        RecordInput(path.string());
+        return std::string(file.Begin(), file.End());
+      }
+    }
+    return {};
+  }
+
+  static std::string NameImage(const Json& image, std::size_t index)
+  {
+    const std::string uri = image.value("uri", std::string());
+    const bool isFile = !uri.empty() && uri.compare(0, 5, "data:") != 0;
+    return isFile ? "'" + DecodePercents(uri) + "'" : std::to_string(index);
+  }
+
+  /// Moves all images to the buffer. Those that are missing or that VTK cannot decode are not used.
+  void EmbedImages(std::vector<std::string>& warnings)
+  {
+    std::set<std::size_t> bad;
+    Json images = this->List("images");
+    for (std::size_t i = 0; i < images.size(); ++i)
+    {
+      const std::string bytes = this->ReadImageBytes(images[i]);
+      std::string type = FindDecodableType(bytes);
+      if (type.empty())
+      {
+        bad.insert(i);
+        warnings.push_back("the texture " + NameImage(images[i], i) +
+          (bytes.empty() ? " is missing" : " is neither .png nor .jpg, or damaged") +
+          "; its surfaces are drawn without it");
+      }
+      images[i] = { { "bufferView", this->AddView(type.empty() ? MakeWhitePng() : bytes) },
+        { "mimeType", type.empty() ? "image/png" : type } };
+    }
+    if (!images.empty())
+    {
+      this->Root["images"] = images;
+    }
+    RemoveTextures(this->Root, bad);
+  }
+
+  void RemoveExtensions()
+  {
+    this->Root.erase("extensionsRequired");
+    for (Json& mesh : this->Root["meshes"])
+    {
+      for (Json& primitive : mesh["primitives"])
+      {
+        primitive.erase("extensions");
+      }
+    }
   }
 
   void RemoveMaterials()
   {
-    for (const char* name : { "images", "textures", "samplers", "materials", "extensionsRequired" })
+    for (const char* name : { "images", "textures", "samplers", "materials" })
     {
       this->Root.erase(name);
     }
@@ -331,7 +422,6 @@ private:
       for (Json& primitive : mesh["primitives"])
       {
         primitive.erase("material");
-        primitive.erase("extensions");
       }
     }
   }
@@ -383,13 +473,16 @@ private:
 
 }
 
-std::string CopyGltfGeometry(const std::string& path)
+namespace
+{
+
+std::string CopyGltf(const std::string& path, std::vector<std::string>* warnings)
 {
   try
   {
     Copy copy(path);
     copy.RefuseVersion1();
-    return copy.IsNeeded() ? copy.Write() : std::string();
+    return copy.IsNeeded() ? copy.Write(warnings) : std::string();
   }
   catch (const Json::exception&)
   {
@@ -398,6 +491,18 @@ std::string CopyGltfGeometry(const std::string& path)
         ": the file is damaged or not glTF 2: a value is missing or has a wrong type; export "
         "it again");
   }
+}
+
+}
+
+std::string CopyGltfGeometry(const std::string& path)
+{
+  return CopyGltf(path, nullptr);
+}
+
+std::string CopyGltfScene(const std::string& path, std::vector<std::string>& warnings)
+{
+  return CopyGltf(path, &warnings);
 }
 
 }

@@ -4,12 +4,13 @@
 
 #include "FileSeries.h"
 #include "Files/FileExtension.h"
-#include "Files/GltfCopy.h"
+#include "Files/TemporaryFile.h"
 #include "Formats/MeshArrays.h"
 #include "Formats/MeshReaders.h"
+#include "Import/Appearance.h"
+#include "Import/GltfCopy.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
-#include "Processes/Worker.h"
 #include "TimeSteps.h"
 #include "Truncation/Truncation.h"
 #include "VolumeOrientation.h"
@@ -136,10 +137,14 @@ std::vector<ReaderRow> MakeTable()
   return {
     { { ".stl" }, "Stereolithography", "Penumbra", nullptr, ReadStl },
     { { ".ply" }, "Stanford polygons", "Penumbra", nullptr, ReadPly },
-    { { ".obj" }, "Wavefront", "Penumbra", nullptr, ReadObj },
+    { { ".obj" }, "Wavefront", "Penumbra", nullptr, ReadObj, nullptr, nullptr, nullptr, ImportObj },
     { { ".off" }, "Object File Format", "Penumbra", nullptr, ReadOff },
     { { ".gltf", ".glb" }, "glTF 2", PENUMBRA_READER(vtkGLTFReader), nullptr, CorrectWindings,
-      CopyGltfGeometry },
+      CopyGltfGeometry, nullptr, ImportGltf },
+    { { ".3ds" }, "3D Studio", "vtk3DSImporter", nullptr, Read3ds, nullptr, nullptr, nullptr,
+      Import3ds },
+    { { ".wrl", ".vrml" }, "VRML 2", "vtkVRMLImporter", nullptr, ReadVrml, nullptr, nullptr,
+      nullptr, ImportVrml },
     { { ".vtk" }, "VTK legacy", PENUMBRA_READER(vtkGenericDataObjectReader) },
     { { ".vtp" }, "VTK polygons", PENUMBRA_READER(vtkXMLPolyDataReader) },
     { { ".vtu" }, "VTK unstructured grid", PENUMBRA_READER(vtkXMLUnstructuredGridReader) },
@@ -239,31 +244,6 @@ void CheckFile(const std::string& path)
   }
 }
 
-/// A temporary file, removed at the end of its lifetime.
-class TemporaryFile
-{
-public:
-  explicit TemporaryFile(const std::string& path)
-    : Path(path)
-  {
-  }
-
-  ~TemporaryFile()
-  {
-    if (!this->Path.empty())
-    {
-      std::error_code ignored;
-      std::filesystem::remove(this->Path, ignored);
-      KeepOnCrash(this->Path);
-    }
-  }
-
-  TemporaryFile(const TemporaryFile&) = delete;
-  void operator=(const TemporaryFile&) = delete;
-
-  const std::string Path;
-};
-
 [[noreturn]] void FailReading(
   const std::string& path, const ReaderRow& row, const std::string& reason)
 {
@@ -300,6 +280,20 @@ std::vector<double> ReadTimes(const std::string& path)
     FailReading(path, row, errors.front());
   }
   return times;
+}
+
+bool MayHaveLights(const std::string& path)
+{
+  const ReaderRow& row = FindReader(path);
+  return row.Import && row.Import != ImportObj;
+}
+
+vtkSmartPointer<vtkDataObject> ReadScene(
+  const std::string& path, std::optional<double> time, Appearance& appearance)
+{
+  const vtkSmartPointer<vtkDataObject> data = ReadFile(path, time);
+  const ReaderRow& row = FindReader(path);
+  return row.Import ? row.Import(path, data, appearance) : data;
 }
 
 vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path, std::optional<double> time)

@@ -17,6 +17,8 @@ class vtkDataObject;
 namespace penumbra
 {
 
+struct Appearance;
+
 struct ReaderRow
 {
   std::vector<std::string> Extensions; ///< lower case, with the dot
@@ -30,6 +32,9 @@ struct ReaderRow
   std::string (*Prepare)(const std::string& path) = nullptr;
   /// Returns whether the contents are of this format; null: the extension decides.
   bool (*Recognizes)(const std::string& path) = nullptr;
+  /// Reads the appearance of the surfaces `data`, see Appearance.h; null: the format has none.
+  vtkSmartPointer<vtkDataObject> (*Import)(
+    const std::string& path, vtkDataObject* data, Appearance& appearance) = nullptr;
 };
 
 const std::vector<ReaderRow>& Readers();
@@ -38,6 +43,14 @@ const std::vector<ReaderRow>& Readers();
 /// file, if it cannot be read completely.
 vtkSmartPointer<vtkDataObject> ReadFile(
   const std::string& path, std::optional<double> time = std::nullopt);
+
+/// Reads a file as ReadFile() and its appearance. Returns the data sets to which
+/// Appearance::Actors belong.
+vtkSmartPointer<vtkDataObject> ReadScene(
+  const std::string& path, std::optional<double> time, Appearance& appearance);
+
+/// Returns whether files of the format of `path` may have lights and cameras.
+bool MayHaveLights(const std::string& path);
 
 /// Returns the times of the steps of a file or of a file series in ascending order. Throws
 /// CommandError, naming the file, if they cannot be read.

@@ -13,16 +13,17 @@
 #include "Readers.h"
 #include "TimeSteps.h"
 
+#include "vtkActor.h"
+#include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkCleanPolyData.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkGeometryFilter.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
+#include "vtkLight.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -41,27 +42,6 @@ namespace penumbra
 
 namespace
 {
-
-std::vector<vtkDataSet*> FindDataSets(vtkDataObject* data)
-{
-  std::vector<vtkDataSet*> found;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      if (auto* leaf = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
-      {
-        found.push_back(leaf);
-      }
-    }
-  }
-  else if (auto* single = vtkDataSet::SafeDownCast(data))
-  {
-    found.push_back(single);
-  }
-  return found;
-}
 
 vtkSmartPointer<vtkPolyData> MakeMesh(vtkDataSet* data)
 {
@@ -199,13 +179,17 @@ vtkSmartPointer<vtkDataSet> AddCellIds(vtkDataSet* data)
   return copy;
 }
 
-Surfaces ExtractSurfaces(vtkDataObject* data, const CutList& cuts, const std::string& path)
+Surfaces ExtractSurfaces(
+  vtkDataObject* data, Appearance appearance, const CutList& cuts, const std::string& path)
 {
   Surfaces surfaces;
   std::string missing;
   bool wasCut = false;
-  for (vtkDataSet* dataSet : FindDataSets(data))
+  const std::vector<vtkDataSet*> dataSets = FindDataSets(data);
+  appearance.Actors.resize(dataSets.size());
+  for (std::size_t i = 0; i < dataSets.size(); ++i)
   {
+    vtkDataSet* dataSet = dataSets[i];
     const std::string inconsistency = FindInconsistency(dataSet);
     if (!inconsistency.empty())
     {
@@ -233,8 +217,12 @@ Surfaces ExtractSurfaces(vtkDataObject* data, const CutList& cuts, const std::st
     {
       surfaces.RoundingStep = std::max(surfaces.RoundingStep, FindRoundingStep(mesh));
       surfaces.Meshes.push_back(mesh);
+      surfaces.Actors.push_back(appearance.Actors[i]);
     }
   }
+  surfaces.Lights = appearance.Lights;
+  surfaces.Cameras = appearance.Cameras;
+  surfaces.Warnings = appearance.Warnings;
   if (!missing.empty() && !wasCut)
   {
     throw CommandError(BadInput,
@@ -260,7 +248,10 @@ Surfaces ReadOneFile(const std::string& path, const InputOptions& options)
   const ReadLimit limit(path);
   try
   {
-    return ExtractSurfaces(ReadFile(path, options.Time), options.Cuts, path);
+    Appearance appearance;
+    const vtkSmartPointer<vtkDataObject> data =
+      options.Materials ? ReadScene(path, options.Time, appearance) : ReadFile(path, options.Time);
+    return ExtractSurfaces(data, appearance, options.Cuts, path);
   }
   catch (const CommandError&)
   {
@@ -287,6 +278,21 @@ Surfaces ReadOneFile(const std::string& path, const InputOptions& options)
 
 const char* const CurvedFaces = CurvedFaceIds;
 
+void Surfaces::Append(const Surfaces& other)
+{
+  const auto append = [](auto& all, const auto& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  };
+  append(this->Meshes, other.Meshes);
+  append(this->Actors, other.Actors);
+  append(this->Lights, other.Lights);
+  append(this->Cameras, other.Cameras);
+  append(this->Warnings, other.Warnings);
+  this->Points += other.Points;
+  this->DroppedPoints += other.DroppedPoints;
+  this->RoundingStep = std::max(this->RoundingStep, other.RoundingStep);
+}
+
 std::string DescribeRounding(const Surfaces& surfaces)
 {
   std::ostringstream text;
@@ -302,11 +308,7 @@ Surfaces ReadSurfaces(const std::string& path, const InputOptions& options)
   Surfaces surfaces;
   for (const std::string& file : FindFiles(path, options.Time))
   {
-    const Surfaces part = ReadOneFile(file, options);
-    surfaces.Meshes.insert(surfaces.Meshes.end(), part.Meshes.begin(), part.Meshes.end());
-    surfaces.Points += part.Points;
-    surfaces.DroppedPoints += part.DroppedPoints;
-    surfaces.RoundingStep = std::max(surfaces.RoundingStep, part.RoundingStep);
+    surfaces.Append(ReadOneFile(file, options));
   }
   if (surfaces.Meshes.empty() && surfaces.DroppedPoints > 0)
   {

@@ -6,6 +6,7 @@
 #define penumbra_Surfaces_h
 
 #include "Cuts.h"
+#include "Import/Appearance.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -19,19 +20,24 @@ class vtkPolyData;
 namespace penumbra
 {
 
-/// Name of the cell array with the cell ids in the file, if they differ from those of the surface.
-constexpr const char* OriginalCellIds = "PenumbraOriginalCellIds";
-
 /// Name of the cell array with the faces of curved cells, which are subdivided.
 extern const char* const CurvedFaces;
 
 struct Surfaces
 {
   std::vector<vtkSmartPointer<vtkPolyData>> Meshes;
-  vtkIdType Points = 0;        ///< in the file
-  vtkIdType DroppedPoints = 0; ///< non-finite points, skipped with the cells that use them
+  /// With the materials of Meshes; null: of none. Empty unless materials were requested.
+  std::vector<vtkSmartPointer<vtkActor>> Actors;
+  std::vector<vtkSmartPointer<vtkLight>> Lights;
+  std::vector<vtkSmartPointer<vtkCamera>> Cameras;
+  std::vector<std::string> Warnings; ///< about materials, without the name of the file
+  vtkIdType Points = 0;              ///< in the file
+  vtkIdType DroppedPoints = 0;       ///< non-finite points, skipped with the cells that use them
   /// Distance of neighboring single-precision coordinates if it is visible in the bounds, else 0.
   double RoundingStep = 0.0;
+
+  /// Appends the surfaces, lights and cameras of another file. Counts are added.
+  void Append(const Surfaces& other);
 };
 
 /// Returns the warning of a RoundingStep that is not 0.
@@ -41,6 +47,7 @@ std::string DescribeRounding(const Surfaces& surfaces);
 struct InputOptions
 {
   std::optional<double> Time; ///< unset: the first time step
+  bool Materials = false;     ///< read materials, lights and cameras, too
   bool AllowEmpty = false;    ///< a file without cells and points has no surfaces
   CutList Cuts;
 };

@@ -33,6 +33,9 @@ void FreezeCamera(vtkCamera* camera, CameraOptions& options)
   options.FocalPoint = focalPoint;
   options.ViewUp = viewUp;
   options.ParallelScale = camera->GetParallelScale();
+  options.ViewAngle = camera->GetViewAngle();
+  options.Orthographic = camera->GetParallelProjection() != 0;
+  options.Index = -1;
   options.Azimuth = 0.0;
   options.Elevation = 0.0;
 }
@@ -46,7 +49,10 @@ void FreezeColoring(vtkRenderer* renderer, ColoringOptions& options)
   while (vtkActor* actor = renderer->GetActors()->GetNextActor(cookie))
   {
     vtkMapper* mapper = actor->GetMapper();
-    if (mapper && mapper->GetScalarVisibility())
+    // Mappers with colors of vertices use the active scalars.
+    if (mapper && mapper->GetScalarVisibility() &&
+      (mapper->GetScalarMode() == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA ||
+        mapper->GetScalarMode() == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA))
     {
       const double* range = mapper->GetLookupTable()->GetRange();
       options.Array = mapper->GetArrayName();
@@ -89,6 +95,8 @@ JsonObject DescribeFrozen(const RenderOptions& options)
   values["camera-focal-point"] = list(*camera.FocalPoint);
   values["camera-view-up"] = list(*camera.ViewUp);
   values["camera-parallel-scale"] = camera.ParallelScale;
+  values["camera-view-angle"] = camera.ViewAngle;
+  values["camera-orthographic"] = camera.Orthographic ? 1.0 : 0.0;
   values["coloring-array"] = options.Coloring.Array;
   values["coloring-range"] = options.Coloring.Range;
   values["shafts-scattering"] = options.Shafts.Scattering;
@@ -120,6 +128,9 @@ void ApplyFrozen(const JsonObject& values, RenderOptions& options)
   camera.FocalPoint = vector("camera-focal-point");
   camera.ViewUp = vector("camera-view-up");
   camera.ParallelScale = std::get<double>(values.at("camera-parallel-scale"));
+  camera.ViewAngle = number("camera-view-angle", camera.ViewAngle);
+  camera.Orthographic = number("camera-orthographic", camera.Orthographic ? 1.0 : 0.0) != 0.0;
+  camera.Index = -1;
   camera.Azimuth = 0.0;
   camera.Elevation = 0.0;
   options.Coloring.Array = std::get<std::string>(values.at("coloring-array"));

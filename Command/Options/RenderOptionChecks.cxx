@@ -5,6 +5,7 @@
 #include "RenderOptions.h"
 
 #include "Files/ImageFiles.h"
+#include "Input/Readers.h"
 #include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"
 #include "Processes/Worker.h"
@@ -103,19 +104,28 @@ void CheckRenderOptions(const CommandLine& app, const RenderOptions& options)
     throw CommandError(BadInput, "--hdri-up: 0,0,0 is not a direction; give a nonzero vector");
   }
   RequireLightPositions(options.Lights);
+  if (options.Camera.Index >= 0 && !options.Materials)
+  {
+    throw CommandError(
+      BadInput, "--camera-index needs the cameras of the files; leave --no-materials out");
+  }
 }
 
 std::vector<std::string> FindIgnoredOptions(const CommandLine& app, const RenderOptions& options)
 {
   const bool ray = options.Engine == "ray";
   const bool orthographic = options.Camera.Orthographic;
-  const bool placed = options.Camera.Position.has_value();
-  const bool lights = options.Lighting && !options.Lights.empty();
+  const bool placed = options.Camera.Position.has_value() || options.Camera.Index >= 0;
+  // The lights of files are known later.
+  const bool mayHaveLights = options.Materials && options.Lights.empty() &&
+    std::any_of(options.Files.begin(), options.Files.end(), MayHaveLights);
+  const bool lights = options.Lighting && (mayHaveLights || !options.Lights.empty());
   const auto hasLight = [&](bool positional) {
     return options.Lighting &&
-      std::any_of(options.Lights.begin(), options.Lights.end(),
-        [positional](
-          const std::array<double, 4>& light) { return (light[3] > 0.0) == positional; });
+      (mayHaveLights ||
+        std::any_of(options.Lights.begin(), options.Lights.end(),
+          [positional](
+            const std::array<double, 4>& light) { return (light[3] > 0.0) == positional; }));
   };
   const bool hasArea = ray && (options.LightRadius > 0.0 || options.LightAngle > 0.0);
   const struct
@@ -168,9 +178,10 @@ std::vector<std::string> FindIgnoredOptions(const CommandLine& app, const Render
     { "--bounces", !options.Light.Indirect, "without --indirect" },
     { "--camera-parallel-scale", !orthographic, "without --camera-orthographic" },
     { "--camera-view-angle", orthographic, "with --camera-orthographic" },
-    { "--camera-zoom-factor", placed, "with --camera-position" },
+    { "--camera-zoom-factor", placed, "with --camera-position or --camera-index" },
     { "--camera-direction", placed,
-      "with --camera-position, unless the camera is at the center of the bounds" },
+      "with --camera-position or --camera-index, unless the camera is at the center of the "
+      "bounds" },
     { "--light-position", !options.Lighting, "with --no-lighting" },
     { "--shadows", !lights, "without --light-position: the headlight casts no shadows" },
     { "--light-radius", !hasLight(true), "without a positional --light-position" },

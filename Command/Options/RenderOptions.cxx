@@ -104,7 +104,8 @@ void DeclareCamera(const CommandLine& app, CameraOptions& camera)
     "View direction, at a distance that fits the bounds; default: 0,0,-1; ignored with "
     "--camera-position");
   AddNumber(
-    app, "--camera-view-angle", camera.ViewAngle, "DEG", "Vertical view angle", { 1e-6, 179.0 });
+    app, "--camera-view-angle", camera.ViewAngle, "DEG", "Vertical view angle", { 1e-6, 179.0 })
+    .Each([&camera](const std::string&) { camera.HasViewAngle = true; });
   AddNumber(app, "--camera-zoom-factor", camera.ZoomFactor, "F",
     "Move the camera closer by this factor; ignored with --camera-position", Length);
   AddNumber(app, "--camera-azimuth-angle", camera.Azimuth, "DEG",
@@ -114,6 +115,9 @@ void DeclareCamera(const CommandLine& app, CameraOptions& camera)
   app.AddFlag("--camera-orthographic", camera.Orthographic, "Parallel projection");
   AddNumber(app, "--camera-parallel-scale", camera.ParallelScale, "S",
     "Half the height of the view in world units; default: fits the bounds", Length);
+  AddInteger(app, "--camera-index", camera.Index,
+    "Camera of a glTF or 3DS file, counted from 0; other options replace its settings; -1: none",
+    -1, 1000000);
   for (const Option& option : app.GetAll("--camera-"))
   {
     option.Group("Camera");
@@ -123,8 +127,16 @@ void DeclareCamera(const CommandLine& app, CameraOptions& camera)
 void DeclareAppearance(const CommandLine& app, RenderOptions& options)
 {
   const std::string group = "Appearance";
-  AddColor(app, "--color", options.Color, "Color of the surfaces; default: 1,1,1").Group(group);
-  AddNumber(app, "--opacity", options.Opacity, "A", "Opacity of the surfaces", Unit).Group(group);
+  app
+    .AddNegation("--no-materials", options.Materials,
+      "Read surfaces only: no materials, textures, lights and cameras of the files")
+    .Group(group);
+  AddColor(app, "--color", options.Color,
+    "Color of the surfaces; default: that of their material, else 1,1,1")
+    .Group(group);
+  AddNumber(app, "--opacity", options.Opacity, "A",
+    "Opacity of the surfaces; multiplied by that of their material", Unit)
+    .Group(group);
   AddColor(app, "--background-color", options.BackgroundColor, "Background color; default: 0,0,0")
     .Group(group);
   app
@@ -133,7 +145,8 @@ void DeclareAppearance(const CommandLine& app, RenderOptions& options)
     .Group(group);
   app.AddNegation("--no-lighting,--unlit", options.Lighting, "Colors without shading").Group(group);
   AddLightPositionOption(app, options.Lights,
-    "Light that replaces the headlight; w = 0: directional light from that direction; repeatable")
+    "Light that replaces the headlight and the lights of the files; w = 0: directional light from "
+    "that direction; repeatable")
     .Group(group);
   AddNumber(
     app, "--light-intensity", options.LightIntensity, "I", "Intensity of every light", { 0.0, 1e6 })

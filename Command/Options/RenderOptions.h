@@ -27,11 +27,13 @@ struct CameraOptions
   std::optional<Vector3> ViewUp;
   std::optional<Vector3> Direction;
   double ViewAngle = 30.0;
+  bool HasViewAngle = false; ///< --camera-view-angle is on the command line
   double ZoomFactor = 1.0;
   double Azimuth = 0.0;
   double Elevation = 0.0;
   bool Orthographic = false;
   double ParallelScale = Unset;
+  int Index = -1; ///< of the cameras of the files; -1: none of them
 };
 
 struct ColoringOptions
@@ -74,6 +76,7 @@ struct RenderOptions
   CameraOptions Camera;
   ColoringOptions Coloring;
 
+  bool Materials = true; ///< with lights and cameras of the files
   std::optional<Vector3> Color;
   double Opacity = 1.0;
   std::optional<Vector3> BackgroundColor;

@@ -6,9 +6,12 @@
 #include "Files/ImageFiles.h"
 #include "Input/Surfaces.h"
 #include "Labels.h"
+#include "Materials.h"
 #include "Options/RenderOptions.h"
+#include "Processes/CommandError.h"
 
 #include "vtkActor.h"
+#include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkCleanPolyData.h"
 #include "vtkLight.h"
@@ -17,7 +20,6 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
-#include "vtkProperty.h"
 #include "vtkRenderer.h"
 // VTK 9.2 lacks this filter; its rasterizer shows the edges between the parts of curved cells.
 #if __has_include("vtkRecoverGeometryWireframe.h")
@@ -94,29 +96,19 @@ vtkSmartPointer<vtkPolyData> HideInnerEdges(vtkPolyData* mesh)
 }
 #endif
 
-void SetAppearance(vtkProperty* property, const RenderOptions& options, double unitsPerPoint)
-{
-  const Vector3 color = options.Color.value_or(Vector3{ 1, 1, 1 });
-  property->SetColor(color[0], color[1], color[2]);
-  property->SetOpacity(options.Opacity);
-  property->SetLighting(options.Lighting);
-  property->SetEdgeVisibility(options.ShowEdges);
-  property->SetLineWidth(static_cast<float>(options.LineWidth * unitsPerPoint));
-  property->SetPointSize(static_cast<float>(options.PointSize * unitsPerPoint));
-  if (options.Representation == "wireframe")
-  {
-    property->SetRepresentationToWireframe();
-  }
-  else if (options.Representation == "points")
-  {
-    property->SetRepresentationToPoints();
-  }
-}
-
-void AddLights(vtkRenderer* renderer, const RenderOptions& options)
+void AddLights(vtkRenderer* renderer, const Surfaces& surfaces, const RenderOptions& options)
 {
   renderer->AutomaticLightCreationOff();
-  if (options.Lights.empty())
+  if (options.Lights.empty() && !surfaces.Lights.empty())
+  {
+    for (vtkLight* light : surfaces.Lights)
+    {
+      const auto copy = vtkSmartPointer<vtkLight>::Take(light->ShallowClone());
+      copy->SetIntensity(options.LightIntensity * light->GetIntensity());
+      renderer->AddLight(copy);
+    }
+  }
+  else if (options.Lights.empty())
   {
     vtkNew<vtkLight> headlight;
     headlight->SetLightTypeToHeadlight();
@@ -141,6 +133,38 @@ void AddLights(vtkRenderer* renderer, const RenderOptions& options)
   }
 }
 
+/// Returns the options with the camera of --camera-index in place of those that are not given.
+RenderOptions UseFileCamera(const Surfaces& surfaces, RenderOptions options)
+{
+  CameraOptions& camera = options.Camera;
+  if (camera.Index < 0)
+  {
+    return options;
+  }
+  const int count = static_cast<int>(surfaces.Cameras.size());
+  if (camera.Index >= count)
+  {
+    throw CommandError(BadInput,
+      "--camera-index " + std::to_string(camera.Index) + ": the files have " +
+        (count == 0 ? "no cameras; leave the option out"
+                    : "the cameras 0 to " + std::to_string(count - 1)));
+  }
+  vtkCamera* found = surfaces.Cameras[camera.Index];
+  const auto vector = [](const double* values) {
+    return Vector3{ values[0], values[1], values[2] };
+  };
+  camera.Position = camera.Position.value_or(vector(found->GetPosition()));
+  camera.FocalPoint = camera.FocalPoint.value_or(vector(found->GetFocalPoint()));
+  camera.ViewUp = camera.ViewUp.value_or(vector(found->GetViewUp()));
+  camera.ViewAngle = camera.HasViewAngle ? camera.ViewAngle : found->GetViewAngle();
+  camera.Orthographic = camera.Orthographic || found->GetParallelProjection();
+  if (std::isnan(camera.ParallelScale))
+  {
+    camera.ParallelScale = found->GetParallelScale();
+  }
+  return options;
+}
+
 /// Returns true if text must be dark: on a light background, and on the paper of a figure.
 bool NeedsDarkText(const RenderOptions& options, const Vector3& background)
 {
@@ -154,27 +178,24 @@ bool NeedsDarkText(const RenderOptions& options, const Vector3& background)
 
 }
 
-vtkSmartPointer<vtkRenderer> BuildScene(const std::vector<vtkSmartPointer<vtkPolyData>>& meshes,
-  const RenderOptions& options, double unitsPerPoint)
+vtkSmartPointer<vtkRenderer> BuildScene(
+  const Surfaces& surfaces, const RenderOptions& options, double unitsPerPoint)
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   std::vector<vtkPolyDataMapper*> mappers;
-  for (const vtkSmartPointer<vtkPolyData>& mesh : meshes)
+  for (std::size_t i = 0; i < surfaces.Meshes.size(); ++i)
   {
-    vtkNew<vtkPolyDataMapper> mapper;
+    const vtkSmartPointer<vtkPolyData>& mesh = surfaces.Meshes[i];
+    vtkActor* material = surfaces.Actors[i];
     vtkSmartPointer<vtkPolyData> drawn =
       std::isnan(options.FeatureAngle) ? mesh : ComputeNormals(mesh, options.FeatureAngle);
     if (options.ShowEdges || options.Representation == "wireframe")
     {
       drawn = HideInnerEdges(drawn);
     }
-    mapper->SetInputData(drawn);
-    mapper->ScalarVisibilityOff();
+    const auto mapper = MakeMapper(AddTangents(drawn, material), material);
     mappers.push_back(mapper);
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    SetAppearance(actor->GetProperty(), options, unitsPerPoint);
-    renderer->AddActor(actor);
+    renderer->AddActor(MakeActor(mapper, material, options, unitsPerPoint));
   }
   const Vector3 background = options.BackgroundColor.value_or(Vector3{ 0, 0, 0 });
   const bool darkText = NeedsDarkText(options, background);
@@ -183,12 +204,13 @@ vtkSmartPointer<vtkRenderer> BuildScene(const std::vector<vtkSmartPointer<vtkPol
     // Viewers of SVG have other fonts, and PDF files without the characters are refused.
     const bool warnsOfFonts = !IsVectorGraphic(options.Output);
     ColorByData(renderer, mappers, options.Coloring, darkText, warnsOfFonts);
+    RemoveMaterialsOfColored(renderer, options, unitsPerPoint);
   }
   AddLabels(renderer, options, darkText);
-  AddLights(renderer, options);
+  AddLights(renderer, surfaces, options);
   renderer->SetBackground(background[0], background[1], background[2]);
   renderer->SetBackgroundAlpha(options.Background ? 1.0 : 0.0);
-  PlaceCamera(renderer, options);
+  PlaceCamera(renderer, UseFileCamera(surfaces, options));
   return renderer;
 }
 

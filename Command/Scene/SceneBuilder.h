@@ -8,20 +8,19 @@
 #include "vtkBoundingBox.h"
 #include "vtkSmartPointer.h"
 
-#include <vector>
-
-class vtkPolyData;
 class vtkRenderer;
 
 namespace penumbra
 {
 
 struct RenderOptions;
+struct Surfaces;
 
 /// Builds actors, lights, background and camera. `unitsPerPoint`: units of VTK's line widths and
-/// point sizes per point of 1/72 inch. Throws CommandError if a color array does not exist.
-vtkSmartPointer<vtkRenderer> BuildScene(const std::vector<vtkSmartPointer<vtkPolyData>>& meshes,
-  const RenderOptions& options, double unitsPerPoint);
+/// point sizes per point of 1/72 inch. Throws CommandError if a color
+/// array or the camera of --camera-index does not exist.
+vtkSmartPointer<vtkRenderer> BuildScene(
+  const Surfaces& surfaces, const RenderOptions& options, double unitsPerPoint);
 
 /// Returns the bounds of all actors, including the radii of spheres and tubes.
 vtkBoundingBox ComputeBounds(vtkRenderer* renderer, const RenderOptions& options);

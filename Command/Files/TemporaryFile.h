@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A temporary file, removed at the end of its lifetime and after a crash.
+#ifndef penumbra_TemporaryFile_h
+#define penumbra_TemporaryFile_h
+
+#include "Processes/Worker.h"
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+namespace penumbra
+{
+
+class TemporaryFile
+{
+public:
+  /// `path`: of a file that was registered with RemoveOnCrash(); empty: no file.
+  explicit TemporaryFile(const std::string& path)
+    : Path(path)
+  {
+  }
+
+  ~TemporaryFile()
+  {
+    if (!this->Path.empty())
+    {
+      std::error_code ignored;
+      std::filesystem::remove(this->Path, ignored);
+      KeepOnCrash(this->Path);
+    }
+  }
+
+  TemporaryFile(const TemporaryFile&) = delete;
+  void operator=(const TemporaryFile&) = delete;
+
+  const std::string Path;
+};
+
+}
+#endif

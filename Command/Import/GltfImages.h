@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Images of glTF files: VTK's importer fails if one is missing or damaged.
+#ifndef penumbra_GltfImages_h
+#define penumbra_GltfImages_h
+
+#include <nlohmann/json.hpp>
+
+#include <set>
+#include <string>
+
+namespace penumbra
+{
+
+/// Returns the MIME type of an image that VTK can decode, or an empty string.
+std::string FindDecodableType(const std::string& bytes);
+
+/// Returns a white image of one pixel as .png.
+std::string MakeWhitePng();
+
+/// Removes the references of all materials in `root` to textures whose image is missing or in
+/// `badImages`.
+void RemoveTextures(nlohmann::json& root, const std::set<std::size_t>& badImages);
+
+}
+#endif

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Runs an importer of VTK without a graphics context.
+#ifndef penumbra_ImporterScene_h
+#define penumbra_ImporterScene_h
+
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkActor;
+class vtkImporter;
+class vtkLight;
+class vtkRenderer;
+
+namespace penumbra
+{
+
+/// Runs `importer` and returns the renderer that it fills. The importer keeps it alive.
+vtkRenderer* RunImporter(vtkImporter* importer);
+
+/// Returns the actors of `renderer` in the order of their creation.
+std::vector<vtkSmartPointer<vtkActor>> GetActors(vtkRenderer* renderer);
+
+std::vector<vtkSmartPointer<vtkLight>> GetLights(vtkRenderer* renderer);
+
+}
+#endif

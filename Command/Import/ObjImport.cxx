@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Appearance of OBJ files: splits their surfaces by material and reads the MTL files.
+#include "Appearance.h"
+
+#include "Files/ImageFiles.h"
+#include "Files/InputFiles.h"
+#include "Formats/MeshReaders.h"
+#include "MaterialSplit.h"
+#include "MtlFile.h"
+#include "Processes/CommandError.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkStringArray.h"
+#include "vtkTexture.h"
+#include "vtkTransform.h"
+
+#include <filesystem>
+#include <map>
+#include <sstream>
+
+namespace penumbra
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+bool IsFile(const fs::path& path)
+{
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
+/// Returns the path of a file that `folder` contains or that `name` leads to from there; empty: there
+/// is none.
+std::string FindFile(const fs::path& folder, const std::string& name)
+{
+  for (const fs::path& path : { folder / name, folder / fs::path(name).filename() })
+  {
+    if (!name.empty() && IsFile(path))
+    {
+      return path.string();
+    }
+  }
+  return {};
+}
+
+class Importer
+{
+public:
+  Importer(const std::string& path, Appearance& appearance)
+    : Folder(fs::path(path).parent_path()),
+      Result(appearance)
+  {
+  }
+
+  /// Reads the files of materials that `mesh` names.
+  void ReadLibraries(vtkDataSet* mesh)
+  {
+    auto* names =
+      vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(ObjLibraryNames));
+    for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+    {
+      const std::string line = names->GetValue(i);
+      if (!this->ReadLibrary(line))
+      {
+        // The line may name several files.
+        std::istringstream words(line);
+        bool complete = line.find(' ') != line.npos;
+        for (std::string word; words >> word;)
+        {
+          complete = this->ReadLibrary(word) && complete;
+        }
+        if (!complete)
+        {
+          this->Result.Warnings.push_back(
+            "its materials in '" + line + "' are missing; copy the file to the folder of the mesh");
+        }
+      }
+    }
+  }
+
+  bool HasMaterials() const { return !this->Materials.empty(); }
+
+  /// Returns an actor with a material; null: the material does not exist.
+  vtkSmartPointer<vtkActor> MakeActor(const std::string& name)
+  {
+    const auto found = this->Materials.find(name);
+    if (found == this->Materials.end())
+    {
+      return nullptr;
+    }
+    const MtlMaterial& material = found->second;
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    vtkProperty* property = actor->GetProperty();
+    const std::array<double, 3>& color = material.Diffuse;
+    property->SetColor(color[0], color[1], color[2]);
+    property->SetSpecularColor(material.Specular[0], material.Specular[1], material.Specular[2]);
+    property->SetOpacity(material.Opacity);
+    property->SetInterpolationToPhong();
+    property->SetLighting(material.Illumination != 0);
+    property->SetSpecular(material.Illumination > 1 && material.SpecularExponent > 0.0 ? 1.0 : 0.0);
+    constexpr double BlinnToPhong = 0.25; // as in vtkOBJImporter
+    property->SetSpecularPower(BlinnToPhong * material.SpecularExponent);
+    if (!material.Texture.empty())
+    {
+      actor->SetTexture(this->FindTexture(material));
+    }
+    return actor;
+  }
+
+private:
+  bool ReadLibrary(std::string name)
+  {
+    std::replace(name.begin(), name.end(), '\\', '/');
+    const std::string path = FindFile(this->Folder, name);
+    if (path.empty())
+    {
+      return false;
+    }
+    RecordInput(path);
+    return ReadMtl(path, this->Materials);
+  }
+
+  vtkSmartPointer<vtkTexture> FindTexture(const MtlMaterial& material)
+  {
+    std::ostringstream key;
+    key << material.Texture << '\n'
+        << material.TextureScale[0] << ' ' << material.TextureScale[1] << ' '
+        << material.TextureOffset[0] << ' ' << material.TextureOffset[1];
+    const auto [entry, isNew] = this->Textures.emplace(key.str(), nullptr);
+    if (isNew)
+    {
+      entry->second = this->MakeTexture(material);
+    }
+    return entry->second;
+  }
+
+  vtkSmartPointer<vtkTexture> MakeTexture(const MtlMaterial& material)
+  {
+    const std::string path = FindFile(this->Folder, material.Texture);
+    vtkSmartPointer<vtkImageData> image;
+    try
+    {
+      image = path.empty() ? nullptr : ReadImage(path);
+    }
+    catch (const CommandError&)
+    {
+      image = nullptr;
+    }
+    if (!image)
+    {
+      this->Result.Warnings.push_back("the texture '" + material.Texture +
+        (path.empty() ? "' is missing" : "' cannot be read") +
+        "; its surfaces are drawn without it");
+      return nullptr;
+    }
+    auto texture = vtkSmartPointer<vtkTexture>::New();
+    texture->SetInputData(image);
+    texture->InterpolateOn();
+    texture->MipmapOn();
+    vtkNew<vtkTransform> transform;
+    transform->Translate(material.TextureOffset[0], material.TextureOffset[1], 0.0);
+    transform->Scale(material.TextureScale[0], material.TextureScale[1], 1.0);
+    if (!transform->GetMatrix()->IsIdentity())
+    {
+      texture->SetTransform(transform);
+    }
+    return texture;
+  }
+
+  const fs::path Folder;
+  Appearance& Result;
+  MtlMaterials Materials;
+  std::map<std::string, vtkSmartPointer<vtkTexture>> Textures;
+};
+
+/// Shows the colors of vertices, if `mesh` has any and the actor has no texture.
+void ShowColors(vtkDataSet* mesh, vtkActor* actor)
+{
+  if (actor && !actor->GetTexture() && mesh->GetPointData()->GetScalars())
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(vtkPolyData::SafeDownCast(mesh));
+    mapper->SetScalarModeToUsePointData();
+    actor->SetMapper(mapper);
+  }
+}
+
+}
+
+vtkSmartPointer<vtkDataObject> ImportObj(
+  const std::string& path, vtkDataObject* data, Appearance& appearance)
+{
+  Importer importer(path, appearance);
+  const std::vector<vtkDataSet*> meshes = FindDataSets(data);
+  if (!meshes.empty())
+  {
+    importer.ReadLibraries(meshes.front());
+  }
+  if (!importer.HasMaterials())
+  {
+    for (vtkDataSet* leaf : meshes)
+    {
+      appearance.Actors.push_back(
+        leaf->GetPointData()->GetScalars() ? vtkSmartPointer<vtkActor>::New() : nullptr);
+      ShowColors(leaf, appearance.Actors.back());
+    }
+    return data;
+  }
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (vtkDataSet* leaf : meshes)
+  {
+    auto* mesh = vtkPolyData::SafeDownCast(leaf);
+    auto* names =
+      vtkStringArray::SafeDownCast(leaf->GetFieldData()->GetAbstractArray(ObjMaterialNames));
+    vtkDataArray* ids = leaf->GetCellData()->GetArray(ObjMaterialIds);
+    if (!mesh || !names || !ids)
+    {
+      continue;
+    }
+    for (const MaterialPart& part : SplitByMaterial(mesh, ids))
+    {
+      blocks->SetBlock(blocks->GetNumberOfBlocks(), part.Mesh);
+      const bool isKnown = part.Id >= 0 && part.Id < names->GetNumberOfValues();
+      vtkSmartPointer<vtkActor> actor =
+        isKnown ? importer.MakeActor(names->GetValue(part.Id)) : nullptr;
+      if (!actor && leaf->GetPointData()->GetScalars())
+      {
+        actor = vtkSmartPointer<vtkActor>::New();
+      }
+      ShowColors(leaf, actor);
+      appearance.Actors.push_back(actor);
+    }
+  }
+  return blocks;
+}
+
+}

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Surfaces and appearance of 3DS and VRML files, which VTK's importers read.
+#include "Appearance.h"
+
+#include "ImporterScene.h"
+#include "Processes/CommandError.h"
+#include "Processes/MessageLog.h"
+
+#include "vtk3DS.h"
+#include "vtk3DSImporter.h"
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+#include "vtkReverseSense.h"
+#include "vtkTransform.h"
+#include "vtkTransformFilter.h"
+#include "vtkVRMLImporter.h"
+
+#include <new>
+
+namespace penumbra
+{
+
+namespace
+{
+
+/// Returns the surface of an actor in world coordinates; null: it has none.
+vtkSmartPointer<vtkPolyData> ExtractSurface(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  if (!mapper)
+  {
+    return nullptr;
+  }
+  mapper->Update();
+  auto* mesh = vtkPolyData::SafeDownCast(mapper->GetInput());
+  vtkMatrix4x4* matrix = actor->GetMatrix();
+  if (!mesh || mesh->GetNumberOfPoints() == 0 || matrix->IsIdentity())
+  {
+    return mesh;
+  }
+  vtkNew<vtkTransform> transform;
+  transform->SetMatrix(matrix);
+  vtkNew<vtkTransformFilter> filter;
+  filter->SetTransform(transform);
+  filter->SetInputData(mesh);
+  filter->Update();
+  if (matrix->Determinant() >= 0.0)
+  {
+    return vtkPolyData::SafeDownCast(filter->GetOutput());
+  }
+  vtkNew<vtkReverseSense> reverse;
+  reverse->SetInputConnection(filter->GetOutputPort());
+  reverse->Update();
+  return reverse->GetOutput();
+}
+
+/// Runs `importer` and returns its surfaces. Throws CommandError if it fails.
+vtkSmartPointer<vtkDataObject> Import(
+  const std::string& path, const std::string& format, vtkImporter* importer, Appearance& appearance)
+{
+  TakeErrors();
+  vtkRenderer* renderer = RunImporter(importer);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (const vtkSmartPointer<vtkActor>& actor : GetActors(renderer))
+  {
+    const vtkSmartPointer<vtkPolyData> mesh = ExtractSurface(actor);
+    if (mesh && mesh->GetNumberOfPoints() > 0)
+    {
+      blocks->SetBlock(blocks->GetNumberOfBlocks(), mesh);
+      appearance.Actors.push_back(actor);
+    }
+  }
+  const std::vector<std::string> errors = TakeErrors();
+  if (IndicatesOutOfMemory(errors))
+  {
+    throw std::bad_alloc();
+  }
+  if (!errors.empty())
+  {
+    throw CommandError(
+      BadInput, path + ": the file is damaged or not " + format + ": " + errors.front());
+  }
+  appearance.Lights = GetLights(renderer);
+  return blocks;
+}
+
+}
+
+vtkSmartPointer<vtkDataObject> Import3ds(
+  const std::string& path, vtkDataObject*, Appearance& appearance)
+{
+  vtkNew<vtk3DSImporter> importer;
+  importer->SetFileName(path.c_str());
+  const vtkSmartPointer<vtkDataObject> data = Import(path, "3D Studio", importer, appearance);
+  for (vtk3DSCamera* camera = importer->CameraList; camera;
+       camera = reinterpret_cast<vtk3DSCamera*>(camera->next))
+  {
+    if (camera->aCamera)
+    {
+      appearance.Cameras.insert(
+        appearance.Cameras.begin(), camera->aCamera); // The list is reversed.
+    }
+  }
+  return data;
+}
+
+vtkSmartPointer<vtkDataObject> ImportVrml(
+  const std::string& path, vtkDataObject*, Appearance& appearance)
+{
+  vtkNew<vtkVRMLImporter> importer;
+  importer->SetFileName(path.c_str());
+  return Import(path, "VRML 2", importer, appearance);
+}
+
+vtkSmartPointer<vtkDataObject> Read3ds(const std::string& path)
+{
+  Appearance ignored;
+  return Import3ds(path, nullptr, ignored);
+}
+
+vtkSmartPointer<vtkDataObject> ReadVrml(const std::string& path)
+{
+  Appearance ignored;
+  return ImportVrml(path, nullptr, ignored);
+}
+
+}
