@@ -27,7 +27,7 @@ constexpr std::size_t ShadedSamplesOfLargeArea = 4;
 bool PixelIntegrator::MayRasterize(std::size_t edges) const
 {
   return this->Rasterizer && edges >= MinimumRasterizedEdges &&
-    this->Rasterizer->SelectPixel({ this->X, this->Y });
+    (this->Rasterizer->SelectPixel({ this->X, this->Y }) || this->SelectLayers());
 }
 
 // Finds the triangles at the samples of the selected pixel and adds their colors.

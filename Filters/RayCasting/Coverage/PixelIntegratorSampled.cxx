@@ -227,6 +227,7 @@ PixelResult PixelIntegrator::IntegrateSampled()
   SampledPixel& pixel = this->AddSampledPixel();
   pixel.Floor = HiddenError;
   pixel.IsRasterized = this->Rasterizer && this->Rasterizer->SelectPixel({ this->X, this->Y });
+  pixel.IsLayered = this->SelectLayers();
   this->Refine(pixel);
   return pixel.Result;
 }
@@ -311,13 +312,19 @@ void PixelIntegrator::ComputeFaceColors(SampledPixel& pixel)
 void PixelIntegrator::Refine(SampledPixel& pixel)
 {
   const std::size_t before = pixel.GetNumberOfSamples();
-  const std::size_t first =
-    pixel.IsRasterized ? ComputeFirstRasterizedSamples(this->Settings.Tolerance) : MinimumSamples;
+  const std::size_t first = pixel.IsLayered ? SamplePoints::MinimumCount
+    : pixel.IsRasterized ? ComputeFirstRasterizedSamples(this->Settings.Tolerance)
+                         : MinimumSamples;
   const std::size_t total = std::max<std::size_t>(2 * before, first);
   if (pixel.IsRasterized)
   {
     this->Rasterizer->SelectPixel({ pixel.X, pixel.Y });
     this->RasterizeSamples(pixel, total);
+  }
+  else if (pixel.IsLayered)
+  {
+    this->Rasterizer->SelectPixel({ pixel.X, pixel.Y });
+    this->RasterizeLayers(pixel, total);
   }
   else
   {

@@ -5,7 +5,7 @@
 #ifndef penumbra_SampledPixel_h
 #define penumbra_SampledPixel_h
 
-#include "Sampling/PrimitiveId.h"
+#include "Sampling/CameraRayTracer.h"
 
 #include <glm/glm.hpp>
 
@@ -25,6 +25,23 @@ struct PixelResult
   float LightError = 0.f; ///< part of Error that light effects cause
 };
 
+/// Color of a triangle that is a layer in one pixel: linear over the pixel.
+struct PixelLayerColor
+{
+  PrimitiveId Id;
+  glm::vec2 Center{ 0.f };    ///< position in the pixel
+  glm::vec4 Color{ 0.f };     ///< at the center; not premultiplied, and opacity
+  glm::vec4 Gradient[2] = {}; ///< change of the color along x and y
+  float Slope = 0.f;          ///< see EdgeBlending
+
+  glm::vec4 At(glm::vec2 point) const
+  {
+    const glm::vec2 d = point - this->Center;
+    return glm::clamp(this->Color + d.x * this->Gradient[0] + d.y * this->Gradient[1],
+      glm::vec4(0.f), glm::vec4(glm::vec3(1e30f), 1.f));
+  }
+};
+
 /// A pixel with the samples that were traced so far. If few edges cross the pixel, its faces have
 /// constant colors and exact areas, and samples only estimate the mean difference to them.
 struct SampledPixel
@@ -37,6 +54,8 @@ struct SampledPixel
   glm::vec4 MeanOfFaces{ 0.f };      ///< sum of areas times FaceColors
   std::vector<glm::vec4> Samples;    ///< differences to the colors of the faces
   bool IsRasterized = false;         ///< the hits of the samples are found without rays
+  bool IsLayered = false; ///< the same at translucent surfaces; the samples are in Samples
+  std::vector<PixelLayerColor> LayerColors; ///< of the triangles of a pixel of layers
   /// Colors of the visible triangles of a rasterized pixel.
   std::vector<std::pair<PrimitiveId, glm::vec4>> TriangleColors;
   /// Index in TriangleColors of each sample of a rasterized pixel, which has no Samples.

@@ -66,7 +66,7 @@ private:
 double ComputeCost(const SampledPixel& pixel)
 {
   const double samples = std::max<double>(pixel.GetNumberOfSamples(), MinimumSamples);
-  return pixel.IsRasterized ? samples / RasterizedSamplesPerRay : samples;
+  return pixel.IsRasterized || pixel.IsLayered ? samples / RasterizedSamplesPerRay : samples;
 }
 
 struct Candidate

@@ -7,6 +7,7 @@
 #include "ProjectedTriangle.h"
 #include "Scene.h"
 #include "Surface.h"
+#include "Vectorized.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +15,6 @@
 #include <numeric>
 #include <tuple>
 #include <utility>
-
-// The loops over samples have a version for AVX2. Without fused multiplications, both compute the
-// same bits.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define PENUMBRA_VECTORIZED __attribute__((target_clones("avx2", "default")))
-#else
-#define PENUMBRA_VECTORIZED
-#endif
 
 namespace penumbra
 {
@@ -218,7 +211,9 @@ ProjectedTriangle TileRasterizer::AddTriangle(PrimitiveId id)
     triangle.Key.SlopeX = (u * ac.y - v * ab.y) / area;
     triangle.Key.SlopeY = (v * ab.x - u * ac.x) / area;
     triangle.Key.Value = projected.Keys[0] - triangle.Key.SlopeX * a.x - triangle.Key.SlopeY * a.y;
-    triangle.IsComplex = this->Bins.IsComplex(id.Surface) || !std::isfinite(triangle.Key.Value);
+    triangle.IsLayer = this->Bins.IsLayer(id.Surface);
+    triangle.IsComplex =
+      (this->Bins.IsComplex(id.Surface) && !triangle.IsLayer) || !std::isfinite(triangle.Key.Value);
     triangle.IsPlanar = this->Rays.GetCells(id.Surface) != nullptr;
     triangle.Area = std::abs(area);
     if (this->Rays.GetCoincidentSurfaces().DepthTolerance(id.Surface) > 0.f)
@@ -292,7 +287,7 @@ void TileRasterizer::Prepare()
       continue;
     }
     const TileTriangle& triangle = this->Triangles.back();
-    const bool hides = triangle.IsPlanar && !triangle.IsComplex;
+    const bool hides = triangle.IsPlanar && !triangle.IsComplex && !triangle.IsLayer;
     VisitCells(projected, Margin, glm::dvec2(0.0), 1.0, glm::ivec2(this->Side), [&](int cell) {
       if (covered[cell])
       {
@@ -347,6 +342,7 @@ bool TileRasterizer::AddToPixel(std::uint32_t index, glm::dvec2 corner)
   PixelTriangle added{};
   added.Index = index;
   added.IsComplex = triangle.IsComplex;
+  added.IsLayer = triangle.IsLayer;
   const bool isBounded = std::isfinite(triangle.Key.Value);
   added.IsFull = isBounded;
   for (int i = 0; i < 3 && isBounded; ++i)
@@ -387,6 +383,7 @@ bool TileRasterizer::SelectPixel(glm::ivec2 pixel)
   }
   this->SelectedPixel = pixel;
   this->IsComplex = this->IsOverfull;
+  this->IsLayered = false;
   if (this->IsOverfull)
   {
     return false;
@@ -418,7 +415,7 @@ bool TileRasterizer::SelectPixel(glm::ivec2 pixel)
     {
       selected.Key = MoveTo(this->Triangles[selected.Index].Key, corner, reference);
       selected.LargestKey = FindMaximum(selected.Key);
-      if (selected.IsFull)
+      if (selected.IsFull && !selected.IsLayer)
       {
         nearestFull = std::max(nearestFull, FindMinimum(selected.Key) - selected.KeyError);
       }
@@ -442,6 +439,11 @@ bool TileRasterizer::SelectPixel(glm::ivec2 pixel)
       coincident = surface;
     }
   }
+  this->ReferenceKey = reference;
+  this->IsLayered = !this->IsComplex &&
+    std::any_of(this->Selected.begin(), this->Selected.end(),
+      [](const PixelTriangle& triangle) { return triangle.IsLayer; });
+  this->IsComplex = this->IsComplex || this->IsLayered;
   return !this->IsComplex;
 }
 

@@ -29,6 +29,19 @@ struct LinearValue
   Scalar SlopeY;
 };
 
+/// The triangles at points of a pixel, for each point front to back.
+struct SampleLayers
+{
+  struct Layer
+  {
+    std::uint32_t Triangle; ///< see TileRasterizer::GetTriangle()
+    float Depth;            ///< along the view axis
+  };
+  std::vector<Layer> Layers;
+  std::vector<std::uint32_t>
+    End; ///< of the layers of each point, which begin behind the last one's
+};
+
 /// Triangles of one tile. Each thread needs its own object.
 class VTKPENUMBRAFILTERSRAYCASTING_EXPORT TileRasterizer
 {
@@ -48,6 +61,14 @@ public:
   /// GetTriangle(), or None, for each point.
   void Rasterize(const SamplePoints& points, std::vector<std::uint32_t>& visible);
 
+  /// Returns true if SelectPixel() returned false only because of translucent surfaces, so that
+  /// FindLayers() decides what is visible.
+  bool HasLayers() const { return this->IsLayered; }
+
+  /// Finds all triangles at points of the selected pixel down to the first opaque one, as rays meet
+  /// them: of coincident ones, those that CoincidentSurfaces selects.
+  void FindLayers(const SamplePoints& points, SampleLayers& layers);
+
   PrimitiveId GetTriangle(std::uint32_t index) const { return this->Ids[index]; }
   std::size_t GetNumberOfTriangles() const { return this->Ids.size(); }
 
@@ -61,6 +82,7 @@ private:
     glm::vec2 Low;   ///< bounds, in pixels relative to the tile
     glm::vec2 High;
     bool IsComplex; ///< only rays can decide what is visible
+    bool IsLayer;   ///< what is behind it is visible, too
     bool IsPlanar;  ///< of a surface with PlanarCells: all triangles in one plane
     double Area;    ///< of the projected triangle
   };
@@ -75,7 +97,15 @@ private:
     std::uint8_t FirstColumn, LastColumn, FirstRow, LastRow; ///< cells of SamplePoints
     bool IsFull;                                             ///< covers the pixel
     bool IsComplex;
+    bool IsLayer;
     std::uint32_t Index; ///< in Triangles and Ids
+  };
+
+  /// A triangle at a point.
+  struct LayerCandidate
+  {
+    float Key;
+    std::uint32_t Selected; ///< index in Selected
   };
 
   void Prepare();
@@ -83,6 +113,8 @@ private:
   void BinTriangles(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& overlaps);
   void AlignPlanarTriangles();
   bool AddToPixel(std::uint32_t index, glm::dvec2 corner);
+  void CoverRow(const SamplePoints& points, int row);
+  void SelectCoincident(std::vector<LayerCandidate>& candidates) const;
   void FindCoincident(const SamplePoints& points, std::vector<std::uint32_t>& visible);
 
   const RayScene& Rays;
@@ -100,11 +132,16 @@ private:
   std::vector<PixelTriangle> Selected;
   std::vector<double> Keys; ///< of Selected at the center of the pixel
   glm::ivec2 SelectedPixel{ -1 };
-  bool IsComplex = false;   ///< rays must decide what is visible in the selected pixel
-  bool MayCoincide = false; ///< two surfaces of the selected pixel may coincide
+  double ReferenceKey = 0.0; ///< of the nearest triangle of the selected pixel
+  bool IsComplex = false;    ///< rays must decide what is visible in the selected pixel
+  bool IsLayered = false;    ///< or FindLayers()
+  bool MayCoincide = false;  ///< two surfaces of the selected pixel may coincide
   std::vector<float> Nearest;
   std::vector<float> Errors;
   std::vector<std::int32_t> Found;
+  std::vector<std::uint32_t> LayerOrder;               ///< indices in Selected, about front to back
+  std::vector<float> CoveredKeys;                      ///< of one triangle at a row of points
+  std::vector<std::vector<LayerCandidate>> Candidates; ///< per point of a row
 };
 
 }

@@ -20,10 +20,11 @@ namespace
 // Distance in pixels up to which a triangle outside a tile is also binned into it.
 constexpr double Margin = 2e-3;
 
-bool IsComplexSurface(const Surface& surface)
+char FindComplexity(const Surface& surface)
 {
-  return surface.IsTranslucent() || surface.IsAdditive || surface.ColorTexture ||
-    surface.LitTexture || surface.BaseColorTexture || surface.DetailTextures;
+  const bool isTextured = surface.ColorTexture || surface.LitTexture || surface.BaseColorTexture ||
+    surface.DetailTextures;
+  return isTextured ? 1 : surface.IsTranslucent() || surface.IsAdditive ? 2 : 0;
 }
 
 /// The triangles of all surfaces that are binned, one after the other.
@@ -75,7 +76,7 @@ TriangleBins::TriangleBins(
     return;
   }
   std::transform(scene.Surfaces.begin(), scene.Surfaces.end(), std::back_inserter(this->Complex),
-    [](const Surface& surface) { return IsComplexSurface(surface) ? 1 : 0; });
+    FindComplexity);
   const TriangleSequence triangles(scene.Surfaces);
   FillBins(
     triangles.GetCount(), selected.size(),

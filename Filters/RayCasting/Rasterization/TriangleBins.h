@@ -45,8 +45,12 @@ public:
   /// that rays are required: translucent and textured surfaces.
   bool IsComplex(std::uint32_t surface) const { return this->Complex[surface] != 0; }
 
+  /// Returns true if that is so only because the surface is translucent or emits light, so that its
+  /// triangles still have one color each.
+  bool IsLayer(std::uint32_t surface) const { return this->Complex[surface] == 2; }
+
 private:
-  std::vector<char> Complex;      ///< per surface; empty if no tile is selected
+  std::vector<char> Complex;      ///< per surface, 2: see IsLayer(); empty if no tile is selected
   std::vector<std::size_t> Begin; ///< first triangle of each tile, and the end
   std::vector<PrimitiveId> Triangles;
 };

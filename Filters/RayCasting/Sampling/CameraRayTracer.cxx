@@ -21,9 +21,6 @@ namespace penumbra
 
 namespace
 {
-// Accumulated alpha above which layers behind are ignored.
-constexpr float OpaqueAlpha = 1.f - OpaqueTransmittance;
-
 // Number of shadow rays of one camera ray after which lights with a size get one ray per layer.
 constexpr long long LightSampleBudget = LightSampleBudgetFactor * MaximumLightSamples;
 // Largest variance of the fraction of a light that one ray estimates.
@@ -45,6 +42,8 @@ std::uint32_t FindLightSample(glm::dvec2 p)
 }
 
 }
+
+const float CameraRayTracer::OpaqueAlpha = 1.f - OpaqueTransmittance;
 
 CameraRayTracer::CameraRayTracer(const RayScene& rays, const Shading& shading, const Camera& camera)
   : Rays(rays),
@@ -226,6 +225,14 @@ Sample CameraRayTracer::ShadeSample(
   }
   this->CompositeLayers(p, ray, sample, counts, toleranceScale, 0, nullptr);
   return sample;
+}
+
+LayerColor CameraRayTracer::ShadeLayer(glm::dvec2 p, PrimitiveId triangle, RayCounts& counts) const
+{
+  const Ray ray = this->MakeRay(p);
+  const Hit hit = ComputeHit(this->GetScene(), triangle.Surface, triangle.Primitive, ray);
+  const ShadedHit shaded = this->SurfaceShading.Shade(ray, hit, counts.Shadow, nullptr);
+  return { triangle, shaded.Color, EdgeBlending::ComputeSlope(ray, shaded) };
 }
 
 void CameraRayTracer::TraceHits(

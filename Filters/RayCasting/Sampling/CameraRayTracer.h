@@ -33,6 +33,14 @@ struct Sample
   std::uint32_t ShadowedFrom = 0;           ///< lights with a size that single rays did not reach
 };
 
+/// Color of a triangle that is a layer of the image.
+struct LayerColor
+{
+  PrimitiveId Id;
+  glm::vec4 Color; ///< not premultiplied, and opacity
+  float Slope;     ///< see EdgeBlending
+};
+
 /// A layer of a camera ray on which ambient occlusion acts.
 struct OccludedLayer
 {
@@ -48,6 +56,8 @@ class VTKPENUMBRAFILTERSRAYCASTING_EXPORT CameraRayTracer
 {
 public:
   static constexpr int PacketSize = 16;
+  /// Accumulated alpha above which layers behind are ignored.
+  static const float OpaqueAlpha;
 
   CameraRayTracer(const RayScene& rays, const Shading& shading, const Camera& camera);
 
@@ -62,6 +72,10 @@ public:
   /// TraceSample() for a point at which `triangle` is known to be visible; null: the background.
   Sample ShadeSample(glm::dvec2 p, const PrimitiveId* triangle, RayCounts& counts,
     double toleranceScale = 1.0) const;
+
+  /// Returns the color of a triangle at a point at which it is a layer, without what is behind it
+  /// and without the occlusion and the irradiance of providers.
+  LayerColor ShadeLayer(glm::dvec2 p, PrimitiveId triangle, RayCounts& counts) const;
 
   /// TraceSample() for PacketSize points. Points whose bit in `active` is not set are skipped.
   void TracePacket(const glm::dvec2* points, unsigned int active, Sample* samples,
@@ -130,6 +144,7 @@ public:
 
   const Shading& GetShading() const { return this->SurfaceShading; }
   const Scene& GetScene() const { return this->Rays.GetScene(); }
+  const Camera& GetCamera() const { return this->ViewCamera; }
   const RayScene& GetRays() const { return this->Rays; }
   bool HasTranslucentSurfaces() const { return this->Translucent; }
 

@@ -29,10 +29,16 @@ public:
   /// of the edge and b of the face, (b - a) / (1 - a) remains for the face.
   float FindOpacity(const Surface& surface, const Ray& ray, const Hit& hit, const ShadedHit& shaded)
   {
-    float opacity = shaded.Color.a;
+    const float slope = this->Covered > 0.f ? ComputeSlope(ray, shaded) : 0.f;
+    return this->FindOpacity(surface, hit.Distance, slope, shaded.Color.a);
+  }
+
+  /// The same for a hit at a distance on a surface with its opacity and a slope from ComputeSlope().
+  float FindOpacity(const Surface& surface, float distance, float slope, float opacity)
+  {
     const bool isEdge = surface.EdgeWidth > 0.f;
     if (this->Covered > 0.f && surface.ObjectId == this->ObjectId &&
-      hit.Distance <= this->Edge + this->ComputeReach(ray, shaded))
+      distance <= this->Edge + this->ComputeReach(slope))
     {
       const float own = opacity;
       opacity = own > this->Covered ? (own - this->Covered) / (1.f - this->Covered) : 0.f;
@@ -41,23 +47,29 @@ public:
     else if (isEdge)
     {
       this->ObjectId = surface.ObjectId;
-      this->Edge = hit.Distance;
+      this->Edge = distance;
       this->Width = surface.EdgeWidth;
       this->Covered = opacity;
     }
     return opacity;
   }
 
-private:
-  /// Returns the largest distance along the ray between an edge, which is moved toward the camera by
-  /// its width, and its face, which may be inclined.
-  float ComputeReach(const Ray& ray, const ShadedHit& shaded) const
+  /// Returns the change of depth across the image of the surface at a hit, per length.
+  static float ComputeSlope(const Ray& ray, const ShadedHit& shaded)
   {
     const glm::vec3 n = shaded.GeometricNormal;
     const float cosine = std::abs(glm::dot(n, ray.Direction)) / glm::length(ray.Direction);
     const float squared = glm::dot(n, n);
     const float slope = std::sqrt(std::max(squared - cosine * cosine, 0.f));
-    const float pixels = this->Width * (2.f + (cosine > 0.f ? 0.5f * slope / cosine : 0.f));
+    return cosine > 0.f ? slope / cosine : 0.f;
+  }
+
+private:
+  /// Returns the largest distance along the ray between an edge, which is moved toward the camera by
+  /// its width, and its face, which may be inclined.
+  float ComputeReach(float slope) const
+  {
+    const float pixels = this->Width * (2.f + 0.5f * slope);
     const auto pixel = static_cast<float>(this->ViewCamera.PixelSize);
     const auto origin = static_cast<float>(this->ViewCamera.DepthOfRayOrigins());
     const float distance = this->ViewCamera.Parallel ? 1.f : this->Edge + origin;

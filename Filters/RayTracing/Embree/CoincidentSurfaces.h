@@ -58,6 +58,9 @@ public:
   /// meaningful if DepthTolerance() is positive.
   int GetDrawOrder(std::uint32_t surface) const { return this->DrawOrder[surface]; }
 
+  /// Returns the first position behind this surface that a ray meets where they coincide.
+  int GetNextInOrder(std::uint32_t surface) const { return this->NextInOrder[surface]; }
+
   /// Returns true if no two surfaces are near each other.
   bool IsEmpty() const { return this->Empty; }
 

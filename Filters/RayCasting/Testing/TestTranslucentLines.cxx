@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Edges of translucent surfaces and translucent wireframes: tiles within the tolerance or above it
+// with an estimate that says so, at a cost near that of opaque ones. The reference has 29 x 29 rays per pixel.
+#include "Scenes/AccuracyScenes.h"
+#include "Scenes/TestScene.h"
+#include "vtkPenumbraRayCaster.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <ostream>
+#include <string>
+
+using namespace penumbra;
+
+namespace
+{
+
+constexpr int Side = 48;
+constexpr int Tile = 16;
+
+using Style = std::function<void(vtkProperty*)>;
+
+void ShowEdges(vtkProperty* property)
+{
+  property->EdgeVisibilityOn();
+  property->SetEdgeColor(0.1, 0.2, 0.9);
+  property->SetOpacity(0.5);
+}
+
+void ShowWireframe(vtkProperty* property)
+{
+  property->SetRepresentationToWireframe();
+  property->SetOpacity(0.3);
+}
+
+void AddSphere(vtkRenderer* renderer, const Style& style, double x, int resolution)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(x, 0.0, 0.0);
+  sphere->SetThetaResolution(resolution);
+  sphere->SetPhiResolution(resolution);
+  sphere->Update();
+  vtkProperty* const property = AddMesh(renderer, sphere->GetOutput(), true)->GetProperty();
+  property->SetColor(0.9, 0.6 + 0.3 * x, 0.4);
+  style(property);
+}
+
+void AddPlane(vtkRenderer* renderer, const Style& style, double x, double opacity)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-0.5 + x, -0.5, -0.5);
+  plane->SetPoint1(0.5 + x, -0.5, -0.2);
+  plane->SetPoint2(-0.5 + x, 0.5, 0.3);
+  plane->SetResolution(40, 40);
+  plane->Update();
+  vtkProperty* const property = AddMesh(renderer, plane->GetOutput(), true)->GetProperty();
+  style(property);
+  property->SetOpacity(opacity);
+}
+
+struct LineScene
+{
+  std::string Name;
+  std::function<void(vtkRenderer*)> Build;
+  double Budget; ///< rays per pixel
+};
+
+std::ostream& operator<<(std::ostream& os, const LineScene& scene)
+{
+  return os << scene.Name;
+}
+
+std::vector<LineScene> MakeScenes()
+{
+  std::vector<LineScene> scenes;
+  for (const bool edges : { true, false })
+  {
+    const Style style = edges ? Style(ShowEdges) : Style(ShowWireframe);
+    const std::string name = edges ? "Edges" : "Wireframe";
+    scenes.push_back({ name + "OfASphere",
+      [=](vtkRenderer* renderer) { AddSphere(renderer, style, 0.0, 40); }, 6.0 });
+    scenes.push_back({ name + "OfIntersectingSpheres",
+      [=](vtkRenderer* renderer) {
+        AddSphere(renderer, style, 0.0, 24);
+        AddSphere(renderer, style, 0.6, 40);
+      },
+      8.0 });
+    scenes.push_back({ name + "OfAGyroid",
+      [=](vtkRenderer* renderer) {
+        style(AddMesh(renderer, MakeGyroid(5000, true), true)->GetProperty());
+      },
+      20.0 });
+    scenes.push_back({ name + "BeforeAndBehindAnOpaqueSurface",
+      [=](vtkRenderer* renderer) {
+        AddSphere(renderer, style, 0.0, 32);
+        AddPlane(renderer, style, 0.1, 1.0);
+      },
+      8.0 });
+    scenes.push_back({ name + "OfCoincidentPlanes",
+      [=](vtkRenderer* renderer) {
+        AddPlane(renderer, style, 0.0, 0.4);
+        AddPlane(renderer, style, 0.0, 0.6);
+      },
+      8.0 });
+    scenes.push_back({ name + "InParallelProjection",
+      [=](vtkRenderer* renderer) {
+        AddSphere(renderer, style, 0.0, 40);
+        AddPlane(renderer, style, 0.2, 0.6);
+        renderer->GetActiveCamera()->ParallelProjectionOn();
+      },
+      8.0 });
+  }
+  return scenes;
+}
+
+}
+
+class TranslucentLines : public ::testing::TestWithParam<LineScene>
+{
+};
+
+TEST_P(TranslucentLines, AreWithinTheTolerance)
+{
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(0.1, 0.2, 0.2);
+  GetParam().Build(renderer);
+  LookAlong(renderer, { 0.3, 0.5, -1.0 }, { 0.0, 1.0, 0.0 }, Side, Side);
+  renderer->GetActiveCamera()->Zoom(1.3);
+  double tolerance = 0.0;
+  const Answer answer = Cast(renderer, Side, Side,
+    [&](vtkPenumbraRayCaster* caster) { tolerance = caster->GetTolerance(); });
+  const Answer reference = Cast(renderer, Side, Side, [](vtkPenumbraRayCaster* caster) {
+    caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
+    caster->SetUniformSamples(29);
+  });
+  int above = 0;
+  int unknown = 0;
+  double worst = 0.0;
+  double bias = 0.0;
+  for (int tile = 0; tile < (Side / Tile) * (Side / Tile); ++tile)
+  {
+    double squares = 0.0;
+    double estimates = 0.0;
+    for (int i = 0; i < Tile * Tile; ++i)
+    {
+      const std::size_t at =
+        static_cast<std::size_t>(tile / (Side / Tile) * Tile + i / Tile) * Side +
+        tile % (Side / Tile) * Tile + i % Tile;
+      const glm::dvec3 d = answer.Colors[at] - reference.Colors[at];
+      squares += glm::dot(d, d) / 3.0;
+      bias += (d.x + d.y + d.z) / 3.0 / (Side * Side);
+      estimates += answer.Estimates[at] * answer.Estimates[at];
+    }
+    const double error = std::sqrt(squares / (Tile * Tile));
+    const double estimate = std::sqrt(estimates / (Tile * Tile));
+    worst = std::max(worst, error);
+    above += error > tolerance;
+    unknown += error > tolerance && estimate < error;
+  }
+  EXPECT_LE(20 * above, (Side / Tile) * (Side / Tile));
+  EXPECT_LE(worst, 1.5 * tolerance);
+  EXPECT_LE(std::abs(bias), 2e-4);
+  EXPECT_LE(answer.RaysPerPixel, GetParam().Budget);
+}
+
+INSTANTIATE_TEST_SUITE_P(RayCaster, TranslucentLines, ::testing::ValuesIn(MakeScenes()),
+  [](const ::testing::TestParamInfo<LineScene>& row) { return row.param.Name; });
