@@ -14,6 +14,8 @@
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkNew.h"
 #include "vtkPenumbraLightShaftPass.h"
 #include "vtkPenumbraTemporalSSAOPass.h"
@@ -87,10 +89,24 @@ vtkPenumbraTemporalSSAOPass* AddOcclusion(vtkRenderer* renderer, const RenderOpt
   return pass;
 }
 
+bool HasSceneLight(vtkRenderer* renderer)
+{
+  vtkCollectionSimpleIterator cookie;
+  renderer->GetLights()->InitTraversal(cookie);
+  while (vtkLight* light = renderer->GetLights()->GetNextLight(cookie))
+  {
+    if (!light->LightTypeIsHeadlight())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 void AddShafts(
   vtkRenderer* renderer, const RenderOptions& options, std::vector<std::string>& warnings)
 {
-  if (options.Lights.empty())
+  if (!HasSceneLight(renderer))
   {
     warnings.emplace_back("--light-shafts: no light casts shafts (headlights do not), so none are "
                           "rendered; give --light-position");

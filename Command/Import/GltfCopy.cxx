@@ -356,7 +356,8 @@ private:
     const std::filesystem::path name = DecodePercents(uri);
     for (const std::filesystem::path& path : { folder / name, folder / name.filename() })
     {
-      const MappedFile file(uri.empty() ? std::string() : path.string());
+      const bool isFile = !uri.empty() && uri.find("://") == uri.npos;
+      const MappedFile file(isFile ? path.string() : std::string());
       if (file.Size() > 0)
       {
         RecordInput(path.string());
