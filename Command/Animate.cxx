@@ -11,6 +11,7 @@
 #include "Files/Report.h"
 #include "Film/Film.h"
 #include "Options/FrozenOptions.h"
+#include "Options/LookOptions.h"
 #include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
@@ -254,6 +255,8 @@ Action DeclareAnimate(const CommandLine& program)
   return [options, app]() {
     RenderOptions& render = options->Render;
     render.Coloring.Enabled = render.Coloring.Enabled || !render.Coloring.Array.empty();
+    ApplyLook(app, render);
+    render.Camera.HasZoomFactor = true; // An orbit must not leave a view that a look fits.
     CheckRenderOptions(app, render);
     CheckFilmOptions(app, *options);
     const int status = Animate(*options);

@@ -7,6 +7,7 @@
 #include "Files/Report.h"
 #include "Files/StandardStreams.h"
 #include "Film/StepInput.h"
+#include "Options/LookOptions.h"
 #include "Options/Placeholders.h"
 #include "Options/RenderOptions.h"
 #include "Processes/CommandConstants.h"
@@ -266,6 +267,7 @@ Action DeclareRender(const CommandLine& program)
     {
       options->Output = streams.PrepareOutput();
     }
+    ApplyLook(app, *options);
     CheckRenderOptions(app, *options);
     if (std::count(options->Files.begin(), options->Files.end(), StandardStream) > 0)
     {

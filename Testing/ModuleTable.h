@@ -156,8 +156,8 @@ inline const std::vector<Row> Table = {
   { "Testing/Comparison", { "Filters/Comparison" }, { "GoogleTest" } },
 
   { "Command/Processes", {}, {} },
-  { "Command/Parsing", { "Command/Processes" }, { "CLI11" } },
   { "Command/Files", { "Command/Processes" }, { "JSON" } },
+  { "Command/Parsing", { "Command/Processes", "Command/Files" }, { "CLI11" } },
   { "Command/Truncation", { "Command/Files" }, {} },
   { "Command/Formats", { "Command/Processes", "Command/Files" }, {} },
   { "Command/Import", { "Command/Processes", "Command/Files", "Command/Formats", "Filters/Scene" },

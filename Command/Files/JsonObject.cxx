@@ -57,6 +57,35 @@ JsonMember FromJson(const nlohmann::json& value)
   return value.get<std::vector<double>>();
 }
 
+/// Returns a value of an option as it stands on a command line.
+std::string FormatOption(const std::string& name, const nlohmann::json& value)
+{
+  if (value.is_string())
+  {
+    return value.get<std::string>();
+  }
+  if (value.is_number() || value.is_boolean())
+  {
+    return value.dump();
+  }
+  std::string numbers;
+  for (const nlohmann::json& number : value)
+  {
+    if (!value.is_array() || !number.is_number())
+    {
+      numbers.clear();
+      break;
+    }
+    numbers += (numbers.empty() ? "" : ",") + number.dump();
+  }
+  if (numbers.empty())
+  {
+    throw std::runtime_error(
+      "'" + name + "' is neither a number, a text, true or false, nor a list of these");
+  }
+  return numbers;
+}
+
 }
 
 std::string FormatJsonObject(const JsonObject& object)
@@ -87,6 +116,34 @@ JsonObject ParseJsonObject(const std::string& text)
     throw std::runtime_error(error.what());
   }
   return object;
+}
+
+std::vector<JsonOption> ParseJsonOptions(const std::string& text)
+{
+  std::vector<JsonOption> options;
+  try
+  {
+    const nlohmann::json json = nlohmann::json::parse(text);
+    if (!json.is_object())
+    {
+      throw std::runtime_error("it is not an object");
+    }
+    for (const auto& [name, value] : json.items())
+    {
+      const bool isList = value.is_array() && !value.empty() && !value[0].is_number();
+      std::vector<std::string> texts;
+      for (const nlohmann::json& item : isList ? value : nlohmann::json::array({ value }))
+      {
+        texts.push_back(FormatOption(name, item));
+      }
+      options.emplace_back(name, texts);
+    }
+  }
+  catch (const nlohmann::json::exception& error)
+  {
+    throw std::runtime_error(error.what());
+  }
+  return options;
 }
 
 std::vector<std::pair<std::string, double>> ParseJsonSeries(const std::string& text)

@@ -24,6 +24,13 @@ std::string FormatJsonObject(const JsonObject& object);
 /// not JSON or a member has another type.
 JsonObject ParseJsonObject(const std::string& text);
 
+/// An option with its values; a list of numbers is one value.
+using JsonOption = std::pair<std::string, std::vector<std::string>>;
+
+/// Parses an object of options in any order: numbers, texts, booleans ("true", "false"), lists of
+/// numbers ("1,2,3"), and lists of these for options that are repeated. Throws std::runtime_error.
+std::vector<JsonOption> ParseJsonOptions(const std::string& text);
+
 /// Parses a file series: names of files with their times. Throws std::runtime_error.
 std::vector<std::pair<std::string, double>> ParseJsonSeries(const std::string& text);
 

@@ -106,7 +106,7 @@ std::string Describe(const CommandLine& app, const std::vector<Cut>& cuts)
 {
   const std::vector<std::string> others = { "output", "resume", "jobs", "threads", "progress",
     "read-limit", "statistics", "FILE", "frames", "frame-list", "prepare", "defaults", "slice",
-    "clip", "contour", "threshold" };
+    "clip", "contour", "threshold", "config" };
   std::istringstream lines(app.Describe());
   std::string description;
   for (std::string line; std::getline(lines, line);)

@@ -6,6 +6,7 @@
 
 #include "Files/ImageFiles.h"
 #include "Input/Readers.h"
+#include "LookOptions.h"
 #include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"
 #include "Processes/Worker.h"
@@ -119,10 +120,11 @@ std::vector<std::string> FindIgnoredOptions(const CommandLine& app, const Render
   // The lights of files are known later.
   const bool mayHaveLights = options.Materials && options.Lights.empty() &&
     std::any_of(options.Files.begin(), options.Files.end(), MayHaveLights);
-  const bool lights = options.Lighting && (mayHaveLights || !options.Lights.empty());
+  const bool hasLook = !FindLook(options.Look).Lights.empty();
+  const bool lights = options.Lighting && (mayHaveLights || hasLook || !options.Lights.empty());
   const auto hasLight = [&](bool positional) {
     return options.Lighting &&
-      (mayHaveLights ||
+      (mayHaveLights || (hasLook && !positional && options.Lights.empty()) ||
         std::any_of(options.Lights.begin(), options.Lights.end(),
           [positional](
             const std::array<double, 4>& light) { return (light[3] > 0.0) == positional; }));

@@ -5,6 +5,8 @@
 #include "Colormaps.h"
 #include "Input/EnvironmentFile.h"
 #include "Input/ReadLimit.h"
+#include "LookOptions.h"
+#include "Parsing/ConfigurationFile.h"
 #include "Processes/CommandError.h"
 #include "SharedOptions.h"
 
@@ -54,6 +56,12 @@ void DeclareOutput(const CommandLine& app, RenderOptions& options)
     .Group("Output");
   AddStatisticsOption(app, options.Statistics,
     "Write ray counts, estimated error, times and memory to this file; {name} as in --output")
+    .Group("Output");
+  app
+    .AddText(ConfigurationOption, options.Configuration,
+      "JSON file with options by their long names; the command line has precedence")
+    .TypeName("FILE")
+    .TakeLast()
     .Group("Output");
   AddProgressOption(app, options.Progress).Group("Output");
   AddInteger(
@@ -107,7 +115,8 @@ void DeclareCamera(const CommandLine& app, CameraOptions& camera)
     app, "--camera-view-angle", camera.ViewAngle, "DEG", "Vertical view angle", { 1e-6, 179.0 })
     .Each([&camera](const std::string&) { camera.HasViewAngle = true; });
   AddNumber(app, "--camera-zoom-factor", camera.ZoomFactor, "F",
-    "Move the camera closer by this factor; ignored with --camera-position", Length);
+    "Move the camera closer by this factor; ignored with --camera-position", Length)
+    .Each([&camera](const std::string&) { camera.HasZoomFactor = true; });
   AddNumber(app, "--camera-azimuth-angle", camera.Azimuth, "DEG",
     "Rotate the camera around the focal point to the right, after placing it");
   AddNumber(app, "--camera-elevation-angle", camera.Elevation, "DEG",
@@ -127,6 +136,10 @@ void DeclareCamera(const CommandLine& app, CameraOptions& camera)
 void DeclareAppearance(const CommandLine& app, RenderOptions& options)
 {
   const std::string group = "Appearance";
+  AddChoice(app, "--look", options.Look, LookNames(),
+    "Background, lights, camera and effects that go together; other options replace its settings")
+    .TypeName("NAME")
+    .Group(group);
   app
     .AddNegation("--no-materials", options.Materials,
       "Read surfaces only: no materials, textures, lights and cameras of the files")

@@ -29,6 +29,7 @@ struct CameraOptions
   double ViewAngle = 30.0;
   bool HasViewAngle = false; ///< --camera-view-angle is on the command line
   double ZoomFactor = 1.0;
+  bool HasZoomFactor = false; ///< --camera-zoom-factor is on the command line
   double Azimuth = 0.0;
   double Elevation = 0.0;
   bool Orthographic = false;
@@ -73,6 +74,8 @@ struct RenderOptions
   bool FindSmallObjects = true;
   int Threads = 0;
 
+  std::string Look = "plain"; ///< see LookOptions.h
+  std::string Configuration;  ///< path; the parser has inserted its options
   CameraOptions Camera;
   ColoringOptions Coloring;
 

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CommandLine.h"
 
+#include "ConfigurationFile.h"
 #include "Processes/CommandError.h"
 
 #include <CLI/CLI.hpp>
+
+#include <algorithm>
 
 #include <cstdint>
 #include <iostream>
@@ -199,7 +202,10 @@ std::string Parser::Parse(int argc, char** argv) const
 {
   try
   {
-    this->Implementation->parse(argc, argv);
+    std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+    InsertConfiguration(*this->Implementation, arguments);
+    std::reverse(arguments.begin(), arguments.end()); // the order that CLI11 expects
+    this->Implementation->parse(std::move(arguments));
   }
   catch (const CLI::Success& help)
   {

@@ -6,6 +6,7 @@
 #include "Files/ImageFiles.h"
 #include "Input/Surfaces.h"
 #include "Labels.h"
+#include "Looks.h"
 #include "Materials.h"
 #include "Options/RenderOptions.h"
 #include "Processes/CommandError.h"
@@ -108,7 +109,7 @@ void AddLights(vtkRenderer* renderer, const Surfaces& surfaces, const RenderOpti
       renderer->AddLight(copy);
     }
   }
-  else if (options.Lights.empty())
+  else if (options.Lights.empty() && !AddLookLights(renderer, options))
   {
     vtkNew<vtkLight> headlight;
     headlight->SetLightTypeToHeadlight();
@@ -207,10 +208,10 @@ vtkSmartPointer<vtkRenderer> BuildScene(
     RemoveMaterialsOfColored(renderer, options, unitsPerPoint);
   }
   AddLabels(renderer, options, darkText);
-  AddLights(renderer, surfaces, options);
   renderer->SetBackground(background[0], background[1], background[2]);
   renderer->SetBackgroundAlpha(options.Background ? 1.0 : 0.0);
-  PlaceCamera(renderer, UseFileCamera(surfaces, options));
+  PlaceCamera(renderer, UseLookCamera(renderer, UseFileCamera(surfaces, options)));
+  AddLights(renderer, surfaces, options);
   return renderer;
 }
 
