@@ -107,6 +107,10 @@ constexpr double SampledErrorDecay = 1.5;
 constexpr double PooledSamples = 8.0;
 /// Factor on the standard error of samples, so that few errors exceed the estimate.
 constexpr float ConfidenceFactor = 1.1f;
+/// The same for samples of layers, whose colors vary less between the cells of the sequence. Measured
+/// with TestTranslucentLines: with the factor of others, 95 % of the tiles have errors below 0.56 of
+/// their estimates.
+constexpr float LayerConfidenceFactor = 0.7f;
 /// Estimated error of objects between n samples, times n.
 constexpr float HiddenError = 0.25f;
 /// Assumed error of a pixel with a single sample.

@@ -129,19 +129,6 @@ private:
     std::uint32_t Count; ///< number of its samples
   };
 
-  /// A triangle that samples of a pixel of layers meet.
-  struct LayeredTriangle
-  {
-    static constexpr int MaximumShaded = 4;
-
-    std::uint32_t Index;                 ///< see TileRasterizer::GetTriangle()
-    std::uint32_t Count;                 ///< number of its samples
-    glm::vec2 Mean;                      ///< of the positions of its samples
-    std::uint32_t Shaded[MaximumShaded]; ///< the samples at which it is shaded
-    int NumberShaded;
-    std::int32_t Color; ///< index in SampledPixel::LayerColors; negative: not yet shaded
-  };
-
   /// Positions at which a face is probed by rays, and the result.
   struct FaceProbe
   {
@@ -178,9 +165,9 @@ private:
   bool MayRasterize(std::size_t edges) const;
   bool SelectLayers() const;
   void RasterizeLayers(SampledPixel& pixel, std::size_t total);
-  void FindLayerSamples();
-  void ShadeLayer(SampledPixel& pixel, LayeredTriangle& triangle);
-  glm::vec4 CompositeLayers(SampledPixel& pixel, std::uint32_t sample, std::uint32_t first);
+  void ShadeLayer(const SampledPixel& pixel, std::uint32_t layer, PixelLayerColor& color);
+  glm::vec4 CompositeLayers(
+    SampledPixel& pixel, glm::vec2 point, const LayerCandidate* begin, const LayerCandidate* end);
   void TraceSamples(SampledPixel& pixel, std::size_t total);
   void RasterizeSamples(SampledPixel& pixel, std::size_t total);
   void GroupSamples();
@@ -262,9 +249,7 @@ private:
   std::vector<VisibleTriangle> RasterizedTriangles;
   std::vector<std::uint32_t> Grouped; ///< indices of points, by triangle
   std::vector<std::uint32_t> Groups;  ///< scratch memory of GroupSamples()
-  SampleLayers Layers;                ///< of a pixel of layers
-  std::vector<LayeredTriangle> LayeredTriangles;
-  std::vector<FaceProbe> FaceProbes; ///< per face; empty if the faces were not probed
+  std::vector<FaceProbe> FaceProbes;  ///< per face; empty if the faces were not probed
 };
 
 }

@@ -10,9 +10,7 @@
 #include "Scene.h"
 #include "Surface.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <limits>
 
 namespace penumbra
 {
@@ -21,7 +19,11 @@ namespace
 {
 
 /// Fraction of the pixel from which a triangle, whose color may vary, is shaded several times.
-constexpr double LargeArea = 0.125;
+constexpr float LargeArea = 0.125f;
+constexpr int ShadedPointsOfLargeArea = 4;
+/// Distance from its center of the points at which a part of a pixel is shaded, relative to that of
+/// its corners.
+constexpr float CornerDistance = 0.6f;
 
 /// Part of the squared spread of points that is added in all directions, so that points near a line
 /// have no gradient across it.
@@ -64,134 +66,87 @@ void PixelIntegrator::RasterizeLayers(SampledPixel& pixel, std::size_t total)
   const std::uint32_t seed = static_cast<std::uint32_t>(pixel.X) * 0x9e3779b1u ^
     static_cast<std::uint32_t>(pixel.Y) * 0x85ebca77u;
   this->Points.Compute(seed, static_cast<int>(before), static_cast<int>(total - before));
-  this->Rasterizer->FindLayers(this->Points, this->Layers);
-  this->FindLayerSamples();
   pixel.Samples.resize(total);
-  std::uint32_t first = 0;
-  for (std::uint32_t i = 0; i < this->Layers.End.size(); ++i)
-  {
-    pixel.Samples[before + this->Points.Indices[i]] = this->CompositeLayers(pixel, i, first);
-    first = this->Layers.End[i];
-  }
+  pixel.LayerColors.resize(this->Rasterizer->GetNumberOfLayers());
+  this->Rasterizer->VisitLayers(
+    this->Points, [&](std::uint32_t i, const LayerCandidate* begin, const LayerCandidate* end) {
+      const glm::vec2 point(this->Points.X[i], this->Points.Y[i]);
+      pixel.Samples[before + this->Points.Indices[i]] =
+        this->CompositeLayers(pixel, point, begin, end);
+    });
   this->Rays.Rasterized += static_cast<long long>(total - before);
 }
 
-// Lists the triangles of the layers, and selects the samples at which they are shaded. Replaces the
-// indices of triangles in the layers by those in LayeredTriangles.
-void PixelIntegrator::FindLayerSamples()
+// Shades a triangle at the center of the part of the pixel that it covers, or, if that part is large
+// and the color may vary, near some of its corners.
+void PixelIntegrator::ShadeLayer(
+  const SampledPixel& pixel, std::uint32_t layer, PixelLayerColor& color)
 {
-  std::vector<LayeredTriangle>& triangles = this->LayeredTriangles;
-  std::vector<std::uint32_t>& groups = this->Groups; // per triangle of the tile
-  groups.resize(this->Rasterizer->GetNumberOfTriangles() + 1, TileRasterizer::None);
-  triangles.clear();
-  std::size_t at = 0;
-  for (std::size_t sample = 0; sample < this->Layers.End.size(); ++sample)
+  color.Id = this->Rasterizer->GetLayer(layer);
+  color.Of = &this->Tracer.GetScene().Surfaces[color.Id.Surface];
+  const std::vector<glm::vec2> polygon = this->Rasterizer->ClipLayer(layer);
+  glm::vec2 center(0.f);
+  float area = 0.f;
+  for (std::size_t i = 2; i < polygon.size(); ++i)
   {
-    for (; at < this->Layers.End[sample]; ++at)
+    const glm::vec2 u = polygon[i - 1] - polygon[0];
+    const glm::vec2 v = polygon[i] - polygon[0];
+    const float part = 0.5f * (u.x * v.y - u.y * v.x);
+    area += part;
+    center += part * (polygon[0] + (u + v) / 3.f);
+  }
+  center = area > 0.f ? center / area : polygon.empty() ? glm::vec2(0.5f) : polygon[0];
+  const bool isConstant =
+    area < LargeArea || this->Tracer.GetShading().IsConstantPerTriangle(color.Id.Surface);
+  const int count = isConstant ? 1 : ShadedPointsOfLargeArea;
+  glm::vec2 points[ShadedPointsOfLargeArea] = { center };
+  glm::vec4 colors[ShadedPointsOfLargeArea];
+  const float part = 1.f / static_cast<float>(count);
+  for (int i = 0; i < count; ++i)
+  {
+    if (!isConstant)
     {
-      std::uint32_t& index = this->Layers.Layers[at].Triangle;
-      std::uint32_t& group = groups[index];
-      if (group == TileRasterizer::None)
-      {
-        group = static_cast<std::uint32_t>(triangles.size());
-        triangles.push_back({ index, 0, glm::vec2(0.f), {}, 0, -1 });
-      }
-      index = group;
-      ++triangles[group].Count;
-      triangles[group].Mean += glm::vec2(this->Points.X[sample], this->Points.Y[sample]);
+      const glm::vec2 corner = polygon[i * polygon.size() / ShadedPointsOfLargeArea];
+      points[i] = center + CornerDistance * (corner - center);
     }
-  }
-  const auto largeCount =
-    static_cast<std::uint32_t>(LargeArea * static_cast<double>(this->Layers.End.size()));
-  std::vector<float> nearest(triangles.size(), std::numeric_limits<float>::infinity());
-  std::vector<std::uint32_t> visited(triangles.size(), 0);
-  for (LayeredTriangle& triangle : triangles)
-  {
-    groups[triangle.Index] = TileRasterizer::None;
-    triangle.Mean /= static_cast<float>(triangle.Count);
-    const std::uint32_t surface = this->Rasterizer->GetTriangle(triangle.Index).Surface;
-    triangle.NumberShaded = triangle.Count < std::max(largeCount, 4u) ||
-        this->Tracer.GetShading().IsConstantPerTriangle(surface)
-      ? 1
-      : LayeredTriangle::MaximumShaded;
-  }
-  at = 0;
-  for (std::uint32_t sample = 0; sample < this->Layers.End.size(); ++sample)
-  {
-    for (; at < this->Layers.End[sample]; ++at)
-    {
-      const std::uint32_t group = this->Layers.Layers[at].Triangle;
-      LayeredTriangle& triangle = triangles[group];
-      if (triangle.NumberShaded > 1)
-      {
-        // The samples are sorted by cells, so these are spread over the triangle.
-        const std::uint32_t part = visited[group]++ * LayeredTriangle::MaximumShaded;
-        triangle.Shaded[part / triangle.Count] = sample;
-        continue;
-      }
-      const glm::vec2 d = glm::vec2(this->Points.X[sample], this->Points.Y[sample]) - triangle.Mean;
-      if (glm::dot(d, d) < nearest[group])
-      {
-        nearest[group] = glm::dot(d, d);
-        triangle.Shaded[0] = sample;
-      }
-    }
-  }
-}
-
-void PixelIntegrator::ShadeLayer(SampledPixel& pixel, LayeredTriangle& triangle)
-{
-  const PrimitiveId id = this->Rasterizer->GetTriangle(triangle.Index);
-  const auto known = std::find_if(pixel.LayerColors.begin(), pixel.LayerColors.end(),
-    [&](const PixelLayerColor& color) { return color.Id == id; });
-  triangle.Color = static_cast<std::int32_t>(known - pixel.LayerColors.begin());
-  if (known != pixel.LayerColors.end())
-  {
-    return;
-  }
-  PixelLayerColor color{ id };
-  glm::vec2 points[LayeredTriangle::MaximumShaded];
-  glm::vec4 colors[LayeredTriangle::MaximumShaded];
-  const float part = 1.f / static_cast<float>(triangle.NumberShaded);
-  for (int i = 0; i < triangle.NumberShaded; ++i)
-  {
-    const std::uint32_t sample = triangle.Shaded[i];
-    points[i] = glm::vec2(this->Points.X[sample], this->Points.Y[sample]);
-    const LayerColor shaded =
-      this->Tracer.ShadeLayer(glm::dvec2(pixel.X, pixel.Y) + glm::dvec2(points[i]), id, this->Rays);
+    const LayerColor shaded = this->Tracer.ShadeLayer(
+      glm::dvec2(pixel.X, pixel.Y) + glm::dvec2(points[i]), color.Id, this->Rays);
     colors[i] = shaded.Color;
     color.Center += part * points[i];
     color.Color += part * shaded.Color;
     color.Slope += part * shaded.Slope;
   }
-  FitGradient(points, colors, triangle.NumberShaded, color);
-  pixel.LayerColors.push_back(color);
+  color.IsConstant = isConstant;
+  if (!isConstant)
+  {
+    FitGradient(points, colors, count, color);
+  }
 }
 
 // As CameraRayTracer::CompositeLayers().
 glm::vec4 PixelIntegrator::CompositeLayers(
-  SampledPixel& pixel, std::uint32_t sample, std::uint32_t first)
+  SampledPixel& pixel, glm::vec2 point, const LayerCandidate* begin, const LayerCandidate* end)
 {
-  const std::vector<Surface>& surfaces = this->Tracer.GetScene().Surfaces;
   const auto origin = static_cast<float>(this->Tracer.GetCamera().DepthOfRayOrigins());
-  const glm::vec2 point(this->Points.X[sample], this->Points.Y[sample]);
   EdgeBlending edges(this->Tracer.GetCamera());
   glm::vec4 color(0.f);
-  for (std::uint32_t i = first; i < this->Layers.End[sample]; ++i)
+  for (const LayerCandidate* layer = begin; layer < end; ++layer)
   {
-    const SampleLayers::Layer& layer = this->Layers.Layers[i];
-    LayeredTriangle& triangle = this->LayeredTriangles[layer.Triangle];
-    if (triangle.Color < 0)
+    PixelLayerColor& found = pixel.LayerColors[layer->Layer];
+    if (!found.Of)
     {
-      this->ShadeLayer(pixel, triangle);
+      this->ShadeLayer(pixel, layer->Layer, found);
     }
-    const PixelLayerColor& layerColor = pixel.LayerColors[triangle.Color];
-    const glm::vec4 c = layerColor.At(point);
-    const Surface& surface = surfaces[layerColor.Id.Surface];
-    const float opacity = edges.FindOpacity(surface, layer.Depth - origin, layerColor.Slope, c.a);
+    const glm::vec4 c = found.At(point);
+    float opacity = c.a;
+    if (edges.IsBehindEdge() || found.Of->EdgeWidth > 0.f)
+    {
+      const float distance = this->Rasterizer->ComputeDepth(*layer) - origin;
+      opacity = edges.FindOpacity(*found.Of, distance, found.Slope, c.a);
+    }
     const float weight = (1.f - color.a) * opacity;
-    color += glm::vec4(weight * glm::vec3(c), surface.IsAdditive ? 0.f : weight);
-    if ((opacity >= 1.f && !surface.IsAdditive) || color.a > CameraRayTracer::OpaqueAlpha)
+    color += glm::vec4(weight * glm::vec3(c), found.Of->IsAdditive ? 0.f : weight);
+    if ((opacity >= 1.f && !found.Of->IsAdditive) || color.a > CameraRayTracer::OpaqueAlpha)
     {
       break;
     }

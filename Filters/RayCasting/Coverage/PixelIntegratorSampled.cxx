@@ -333,7 +333,8 @@ void PixelIntegrator::Refine(SampledPixel& pixel)
   this->Noise = pixel.Noise;
 
   pixel.Result.Color = pixel.MeanOfFaces + glm::vec4(ComputeMeanOfSamples(pixel));
-  this->SetErrors(ConfidenceFactor * static_cast<float>(std::sqrt(EstimateVariance(pixel))),
+  const float confidence = pixel.IsLayered ? LayerConfidenceFactor : ConfidenceFactor;
+  this->SetErrors(confidence * static_cast<float>(std::sqrt(EstimateVariance(pixel))),
     std::max(pixel.MinimumError, pixel.Floor / static_cast<float>(total)), pixel.Result);
 }
 

@@ -17,6 +17,8 @@
 namespace penumbra
 {
 
+struct Surface;
+
 /// Color and estimated error of a pixel.
 struct PixelResult
 {
@@ -28,7 +30,9 @@ struct PixelResult
 /// Color of a triangle that is a layer in one pixel: linear over the pixel.
 struct PixelLayerColor
 {
-  PrimitiveId Id;
+  PrimitiveId Id{};
+  const Surface* Of = nullptr; ///< null: not yet shaded
+  bool IsConstant = true;
   glm::vec2 Center{ 0.f };    ///< position in the pixel
   glm::vec4 Color{ 0.f };     ///< at the center; not premultiplied, and opacity
   glm::vec4 Gradient[2] = {}; ///< change of the color along x and y
@@ -36,6 +40,10 @@ struct PixelLayerColor
 
   glm::vec4 At(glm::vec2 point) const
   {
+    if (this->IsConstant)
+    {
+      return this->Color;
+    }
     const glm::vec2 d = point - this->Center;
     return glm::clamp(this->Color + d.x * this->Gradient[0] + d.y * this->Gradient[1],
       glm::vec4(0.f), glm::vec4(glm::vec3(1e30f), 1.f));
@@ -55,7 +63,7 @@ struct SampledPixel
   std::vector<glm::vec4> Samples;    ///< differences to the colors of the faces
   bool IsRasterized = false;         ///< the hits of the samples are found without rays
   bool IsLayered = false; ///< the same at translucent surfaces; the samples are in Samples
-  std::vector<PixelLayerColor> LayerColors; ///< of the triangles of a pixel of layers
+  std::vector<PixelLayerColor> LayerColors; ///< per layer of a pixel of layers
   /// Colors of the visible triangles of a rasterized pixel.
   std::vector<std::pair<PrimitiveId, glm::vec4>> TriangleColors;
   /// Index in TriangleColors of each sample of a rasterized pixel, which has no Samples.

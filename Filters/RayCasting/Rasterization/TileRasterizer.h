@@ -29,17 +29,11 @@ struct LinearValue
   Scalar SlopeY;
 };
 
-/// The triangles at points of a pixel, for each point front to back.
-struct SampleLayers
+/// A triangle at a point of a pixel.
+struct LayerCandidate
 {
-  struct Layer
-  {
-    std::uint32_t Triangle; ///< see TileRasterizer::GetTriangle()
-    float Depth;            ///< along the view axis
-  };
-  std::vector<Layer> Layers;
-  std::vector<std::uint32_t>
-    End; ///< of the layers of each point, which begin behind the last one's
+  float Key;           ///< relative to that of the nearest triangle of the pixel
+  std::uint32_t Layer; ///< see TileRasterizer::GetLayer()
 };
 
 /// Triangles of one tile. Each thread needs its own object.
@@ -65,9 +59,21 @@ public:
   /// FindLayers() decides what is visible.
   bool HasLayers() const { return this->IsLayered; }
 
-  /// Finds all triangles at points of the selected pixel down to the first opaque one, as rays meet
-  /// them: of coincident ones, those that CoincidentSurfaces selects.
-  void FindLayers(const SamplePoints& points, SampleLayers& layers);
+  /// Number of triangles of the selected pixel.
+  std::size_t GetNumberOfLayers() const { return this->Selected.size(); }
+  PrimitiveId GetLayer(std::uint32_t layer) const { return this->Ids[this->Selected[layer].Index]; }
+
+  /// Returns the part of the pixel that a triangle covers, a convex polygon.
+  std::vector<glm::vec2> ClipLayer(std::uint32_t layer) const;
+
+  /// Returns the depth of a candidate along the view axis.
+  float ComputeDepth(const LayerCandidate& candidate) const;
+
+  /// Finds all triangles at points of the selected pixel down to the first opaque one, front to
+  /// back, as rays meet them: of coincident ones, those that CoincidentSurfaces selects. Calls
+  /// visit(point, begin, end) with the candidates of each point.
+  template <typename Visit>
+  void VisitLayers(const SamplePoints& points, const Visit& visit);
 
   PrimitiveId GetTriangle(std::uint32_t index) const { return this->Ids[index]; }
   std::size_t GetNumberOfTriangles() const { return this->Ids.size(); }
@@ -101,20 +107,15 @@ private:
     std::uint32_t Index; ///< in Triangles and Ids
   };
 
-  /// A triangle at a point.
-  struct LayerCandidate
-  {
-    float Key;
-    std::uint32_t Selected; ///< index in Selected
-  };
-
   void Prepare();
   ProjectedTriangle AddTriangle(PrimitiveId id);
   void BinTriangles(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& overlaps);
   void AlignPlanarTriangles();
   bool AddToPixel(std::uint32_t index, glm::dvec2 corner);
-  void CoverRow(const SamplePoints& points, int row);
-  void SelectCoincident(std::vector<LayerCandidate>& candidates) const;
+  void SortLayers();
+  void CoverRows(const SamplePoints& points, int firstRow, int rows);
+  LayerCandidate* SelectLayers(LayerCandidate* begin, LayerCandidate* end) const;
+  LayerCandidate* SelectCoincident(LayerCandidate* begin, LayerCandidate* end) const;
   void FindCoincident(const SamplePoints& points, std::vector<std::uint32_t>& visible);
 
   const RayScene& Rays;
@@ -139,10 +140,30 @@ private:
   std::vector<float> Nearest;
   std::vector<float> Errors;
   std::vector<std::int32_t> Found;
-  std::vector<std::uint32_t> LayerOrder;               ///< indices in Selected, about front to back
-  std::vector<float> CoveredKeys;                      ///< of one triangle at a row of points
-  std::vector<std::vector<LayerCandidate>> Candidates; ///< per point of a row
+  std::vector<std::uint32_t> LayerOrder;  ///< indices in Selected, about front to back
+  std::vector<float> LayerKeys;           ///< of one triangle at some points
+  std::vector<float> LayerSides;          ///< negative where it does not cover them
+  std::vector<LayerCandidate> Candidates; ///< per point, each with space for all triangles
+  std::vector<std::uint32_t> CandidateCounts;
 };
+
+template <typename Visit>
+void TileRasterizer::VisitLayers(const SamplePoints& points, const Visit& visit)
+{
+  this->SortLayers();
+  const int perRow = points.GetCountPerCell() * SamplePoints::CellsPerSide;
+  const int rows = points.GetCount() <= SamplePoints::MinimumCount ? SamplePoints::CellsPerSide : 1;
+  for (int row = 0; row < SamplePoints::CellsPerSide; row += rows)
+  {
+    this->CoverRows(points, row, rows);
+    for (int i = 0; i < rows * perRow; ++i)
+    {
+      LayerCandidate* const begin = this->Candidates.data() + i * this->Selected.size();
+      const LayerCandidate* const end = this->SelectLayers(begin, begin + this->CandidateCounts[i]);
+      visit(static_cast<std::uint32_t>(row * perRow + i), begin, end);
+    }
+  }
+}
 
 }
 #endif

@@ -24,12 +24,12 @@ namespace
 /// Relative distance between layers up to which a ray meets only one.
 constexpr double RoundingError = 0x1p-24;
 
-constexpr float NotCovered = -std::numeric_limits<float>::infinity();
-
-/// Stores the keys of a triangle at the samples that it covers, and NotCovered at the others.
+/// Stores the keys of a triangle at samples, and values that are negative at those that it does not
+/// cover. Both are stored everywhere, because compilers do not vectorize a branch.
 PENUMBRA_VECTORIZED
-void FindCoveredKeys(const float* __restrict xs, const float* __restrict ys, int count,
-  const LinearValue<float>* sides, const LinearValue<float>& keys, float* __restrict covered)
+void FindKeys(const float* __restrict xs, const float* __restrict ys, int count,
+  const LinearValue<float>* sides, const LinearValue<float>& keys, float* __restrict found,
+  float* __restrict inside)
 {
   const LinearValue<float> a = sides[0];
   const LinearValue<float> b = sides[1];
@@ -42,103 +42,16 @@ void FindCoveredKeys(const float* __restrict xs, const float* __restrict ys, int
     const float p = a.Value + a.SlopeX * x + a.SlopeY * y;
     const float q = b.Value + b.SlopeX * x + b.SlopeY * y;
     const float r = c.Value + c.SlopeX * x + c.SlopeY * y;
-    const float key = k.Value + k.SlopeX * x + k.SlopeY * y;
-    covered[i] = (p >= 0.f) & (q >= 0.f) & (r >= 0.f) ? key : NotCovered;
+    float least = q < p ? q : p;
+    least = r < least ? r : least;
+    found[i] = k.Value + k.SlopeX * x + k.SlopeY * y;
+    inside[i] = least;
   }
 }
 
 }
 
-// Adds the triangles at the points of a row of cells to Candidates, sorted front to back.
-void TileRasterizer::CoverRow(const SamplePoints& points, int row)
-{
-  const int perCell = points.GetCountPerCell();
-  const int perRow = perCell * SamplePoints::CellsPerSide;
-  this->CoveredKeys.resize(perRow);
-  this->Candidates.resize(std::max<std::size_t>(this->Candidates.size(), perRow));
-  for (int i = 0; i < perRow; ++i)
-  {
-    this->Candidates[i].clear();
-  }
-  for (const std::uint32_t index : this->LayerOrder)
-  {
-    const PixelTriangle& triangle = this->Selected[index];
-    if (row < triangle.FirstRow || row > triangle.LastRow)
-    {
-      continue;
-    }
-    const int begin = triangle.FirstColumn * perCell;
-    const int end = (triangle.LastColumn + 1) * perCell;
-    const int first = row * perRow + begin;
-    FindCoveredKeys(points.X.data() + first, points.Y.data() + first, end - begin, triangle.Sides,
-      triangle.Key, this->CoveredKeys.data());
-    for (int i = begin; i < end; ++i)
-    {
-      const float key = this->CoveredKeys[i - begin];
-      if (key == NotCovered)
-      {
-        continue;
-      }
-      std::vector<LayerCandidate>& candidates = this->Candidates[i];
-      candidates.push_back({ key, index });
-      for (std::size_t at = candidates.size() - 1; at > 0 && candidates[at - 1].Key < key; --at)
-      {
-        std::swap(candidates[at - 1], candidates[at]);
-      }
-    }
-  }
-}
-
-// Of triangles that single precision cannot separate from the nearest one, keeps those that a ray
-// meets, in the order of CoincidentSurfaces.
-void TileRasterizer::SelectCoincident(std::vector<LayerCandidate>& candidates) const
-{
-  const CoincidentSurfaces& surfaces = this->Rays.GetCoincidentSurfaces();
-  const auto get = [&](const LayerCandidate& candidate) -> PrimitiveId {
-    return this->Ids[this->Selected[candidate.Selected].Index];
-  };
-  // A ray continues behind a hit, whose distance is rounded.
-  const auto rounding = static_cast<float>(RoundingError * std::abs(this->ReferenceKey));
-  std::size_t kept = 0;
-  for (std::size_t first = 0, last = 0; first < candidates.size(); first = last)
-  {
-    const float error = this->Selected[candidates[first].Selected].KeyError;
-    for (last = first + 1; last < candidates.size(); ++last)
-    {
-      const float other = this->Selected[candidates[last].Selected].KeyError;
-      const float both = error > 0.f && other > 0.f ? error + other : 0.f;
-      if (candidates[first].Key - candidates[last].Key > std::max(both, rounding))
-      {
-        break;
-      }
-    }
-    if (last - first > 1)
-    {
-      std::sort(candidates.begin() + static_cast<std::ptrdiff_t>(first),
-        candidates.begin() + static_cast<std::ptrdiff_t>(last),
-        [&](const LayerCandidate& a, const LayerCandidate& b) {
-          const PrimitiveId p = get(a);
-          const PrimitiveId q = get(b);
-          return std::make_pair(surfaces.GetDrawOrder(p.Surface), p.Primitive) <
-            std::make_pair(surfaces.GetDrawOrder(q.Surface), q.Primitive);
-        });
-    }
-    int next = 0;
-    for (std::size_t i = first; i < last; ++i)
-    {
-      const std::uint32_t surface = get(candidates[i]).Surface;
-      if (last - first == 1 || surfaces.GetDrawOrder(surface) >= next)
-      {
-        next = surfaces.DepthTolerance(surface) > 0.f ? surfaces.GetNextInOrder(surface)
-                                                      : std::numeric_limits<int>::max();
-        candidates[kept++] = candidates[i];
-      }
-    }
-  }
-  candidates.resize(kept);
-}
-
-void TileRasterizer::FindLayers(const SamplePoints& points, SampleLayers& layers)
+void TileRasterizer::SortLayers()
 {
   this->LayerOrder.resize(this->Selected.size());
   std::iota(this->LayerOrder.begin(), this->LayerOrder.end(), 0u);
@@ -150,30 +63,156 @@ void TileRasterizer::FindLayers(const SamplePoints& points, SampleLayers& layers
     this->LayerOrder.begin(), this->LayerOrder.end(), [&](std::uint32_t a, std::uint32_t b) {
       return std::make_pair(-keyOf(a), a) < std::make_pair(-keyOf(b), b);
     });
-  const bool isParallel = this->Rays.GetScene().ViewCamera.Parallel;
-  const int perRow = points.GetCountPerCell() * SamplePoints::CellsPerSide;
-  layers.Layers.clear();
-  layers.End.clear();
-  for (int row = 0; row < SamplePoints::CellsPerSide; ++row)
+}
+
+// Finds the candidates at the points of some rows of cells.
+void TileRasterizer::CoverRows(const SamplePoints& points, int firstRow, int rows)
+{
+  const int perCell = points.GetCountPerCell();
+  const int perRow = perCell * SamplePoints::CellsPerSide;
+  const int lastRow = firstRow + rows - 1;
+  const std::size_t stride = this->Selected.size();
+  const std::size_t count = static_cast<std::size_t>(rows) * perRow;
+  this->LayerKeys.resize(count);
+  this->LayerSides.resize(count);
+  // One more, because a candidate is written before it is known to be one.
+  this->Candidates.resize(std::max(this->Candidates.size(), count * stride + 1));
+  this->CandidateCounts.assign(count, 0);
+  for (const std::uint32_t index : this->LayerOrder)
   {
-    this->CoverRow(points, row);
-    for (int i = 0; i < perRow; ++i)
+    const PixelTriangle& triangle = this->Selected[index];
+    const int low = std::max<int>(triangle.FirstRow, firstRow);
+    const int high = std::min<int>(triangle.LastRow, lastRow);
+    if (low > high)
     {
-      this->SelectCoincident(this->Candidates[i]);
-      for (const LayerCandidate& candidate : this->Candidates[i])
-      {
-        const PixelTriangle& triangle = this->Selected[candidate.Selected];
-        const double key = this->ReferenceKey + static_cast<double>(candidate.Key);
-        layers.Layers.push_back(
-          { triangle.Index, static_cast<float>(isParallel ? -key : 1.0 / key) });
-        if (!triangle.IsLayer)
-        {
-          break;
-        }
-      }
-      layers.End.push_back(static_cast<std::uint32_t>(layers.Layers.size()));
+      continue;
+    }
+    // Several rows include points beyond the columns of the triangle.
+    const int begin = (low - firstRow) * perRow + (rows == 1 ? triangle.FirstColumn * perCell : 0);
+    const int end =
+      (high - firstRow) * perRow + (rows == 1 ? (triangle.LastColumn + 1) * perCell : perRow);
+    const int first = firstRow * perRow + begin;
+    FindKeys(points.X.data() + first, points.Y.data() + first, end - begin, triangle.Sides,
+      triangle.Key, this->LayerKeys.data(), this->LayerSides.data());
+    for (int i = begin; i < end; ++i)
+    {
+      std::uint32_t& number = this->CandidateCounts[i];
+      this->Candidates[i * stride + number] = { this->LayerKeys[i - begin], index };
+      number += this->LayerSides[i - begin] >= 0.f ? 1 : 0;
     }
   }
+}
+
+// Sorts the candidates of a point. Returns the end of those that are layers.
+LayerCandidate* TileRasterizer::SelectLayers(LayerCandidate* begin, LayerCandidate* end) const
+{
+  bool isApart = true;
+  // A ray continues behind a hit, whose distance is rounded.
+  const auto rounding = static_cast<float>(RoundingError * std::abs(this->ReferenceKey));
+  for (LayerCandidate* next = begin; next < end; ++next)
+  {
+    const LayerCandidate candidate = *next;
+    LayerCandidate* at = next;
+    for (; at > begin && at[-1].Key < candidate.Key; --at)
+    {
+      *at = at[-1];
+    }
+    *at = candidate;
+  }
+  for (const LayerCandidate* next = begin; next + 1 < end; ++next)
+  {
+    const float errors =
+      this->Selected[next[0].Layer].KeyError + this->Selected[next[1].Layer].KeyError;
+    isApart = isApart && next[0].Key - next[1].Key > std::max(errors, rounding);
+  }
+  end = isApart ? end : this->SelectCoincident(begin, end);
+  for (LayerCandidate* next = begin; next < end; ++next)
+  {
+    if (!this->Selected[next->Layer].IsLayer)
+    {
+      return next + 1;
+    }
+  }
+  return end;
+}
+
+// Of triangles that single precision cannot separate from the nearest one, keeps those that a ray
+// meets, in the order of CoincidentSurfaces.
+LayerCandidate* TileRasterizer::SelectCoincident(LayerCandidate* begin, LayerCandidate* end) const
+{
+  const CoincidentSurfaces& surfaces = this->Rays.GetCoincidentSurfaces();
+  const auto rounding = static_cast<float>(RoundingError * std::abs(this->ReferenceKey));
+  LayerCandidate* kept = begin;
+  for (LayerCandidate *first = begin, *last = begin; first < end; first = last)
+  {
+    const float error = this->Selected[first->Layer].KeyError;
+    for (last = first + 1; last < end; ++last)
+    {
+      const float other = this->Selected[last->Layer].KeyError;
+      const float both = error > 0.f && other > 0.f ? error + other : 0.f;
+      if (first->Key - last->Key > std::max(both, rounding))
+      {
+        break;
+      }
+    }
+    if (last - first > 1)
+    {
+      std::sort(first, last, [&](const LayerCandidate& a, const LayerCandidate& b) {
+        const PrimitiveId p = this->GetLayer(a.Layer);
+        const PrimitiveId q = this->GetLayer(b.Layer);
+        return std::make_pair(surfaces.GetDrawOrder(p.Surface), p.Primitive) <
+          std::make_pair(surfaces.GetDrawOrder(q.Surface), q.Primitive);
+      });
+    }
+    int next = 0;
+    for (const LayerCandidate* candidate = first; candidate < last; ++candidate)
+    {
+      const std::uint32_t surface = this->GetLayer(candidate->Layer).Surface;
+      if (last - first == 1 || surfaces.GetDrawOrder(surface) >= next)
+      {
+        next = surfaces.DepthTolerance(surface) > 0.f ? surfaces.GetNextInOrder(surface)
+                                                      : std::numeric_limits<int>::max();
+        *kept++ = *candidate;
+      }
+    }
+  }
+  return kept;
+}
+
+float TileRasterizer::ComputeDepth(const LayerCandidate& candidate) const
+{
+  const double key = this->ReferenceKey + static_cast<double>(candidate.Key);
+  return static_cast<float>(this->Rays.GetScene().ViewCamera.Parallel ? -key : 1.0 / key);
+}
+
+std::vector<glm::vec2> TileRasterizer::ClipLayer(std::uint32_t layer) const
+{
+  const PixelTriangle& triangle = this->Selected[layer];
+  std::vector<glm::vec2> polygon = { { 0.f, 0.f }, { 1.f, 0.f }, { 1.f, 1.f }, { 0.f, 1.f } };
+  std::vector<glm::vec2> clipped;
+  for (int side = 0; side < 3 && !triangle.IsFull; ++side)
+  {
+    const LinearValue<float>& f = triangle.Sides[side];
+    const auto evaluate = [&](glm::vec2 p) { return f.Value + f.SlopeX * p.x + f.SlopeY * p.y; };
+    clipped.clear();
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+    {
+      const glm::vec2 p = polygon[i];
+      const glm::vec2 q = polygon[(i + 1) % polygon.size()];
+      const float a = evaluate(p);
+      const float b = evaluate(q);
+      if (a >= 0.f)
+      {
+        clipped.push_back(p);
+      }
+      if ((a < 0.f) != (b < 0.f))
+      {
+        clipped.push_back(p + a / (a - b) * (q - p));
+      }
+    }
+    polygon.swap(clipped);
+  }
+  return polygon;
 }
 
 }

@@ -33,6 +33,9 @@ public:
     return this->FindOpacity(surface, hit.Distance, slope, shaded.Color.a);
   }
 
+  /// Returns true if an edge may change the opacity of the next hit.
+  bool IsBehindEdge() const { return this->Covered > 0.f; }
+
   /// The same for a hit at a distance on a surface with its opacity and a slope from ComputeSlope().
   float FindOpacity(const Surface& surface, float distance, float slope, float opacity)
   {
