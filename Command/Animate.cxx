@@ -11,7 +11,6 @@
 #include "Files/Report.h"
 #include "Film/Film.h"
 #include "Options/FrozenOptions.h"
-#include "Options/LookOptions.h"
 #include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
@@ -254,8 +253,7 @@ Action DeclareAnimate(const CommandLine& program)
   DeclareFilmOptions(app, *options);
   return [options, app]() {
     RenderOptions& render = options->Render;
-    render.Coloring.Enabled = render.Coloring.Enabled || !render.Coloring.Array.empty();
-    ApplyLook(app, render);
+    CompleteRenderOptions(app, render);
     render.Camera.HasZoomFactor = true; // An orbit must not leave a view that a look fits.
     CheckRenderOptions(app, render);
     CheckFilmOptions(app, *options);

@@ -7,7 +7,6 @@
 #include "Files/Report.h"
 #include "Files/StandardStreams.h"
 #include "Film/StepInput.h"
-#include "Options/LookOptions.h"
 #include "Options/Placeholders.h"
 #include "Options/RenderOptions.h"
 #include "Processes/CommandConstants.h"
@@ -261,13 +260,12 @@ Action DeclareRender(const CommandLine& program)
   const CommandLine app = program.AddSubcommand("render", "Render meshes to an image");
   DeclareRenderOptions(app, *options);
   return [options, app, start]() {
-    options->Coloring.Enabled = options->Coloring.Enabled || !options->Coloring.Array.empty();
     StreamFolder streams;
     if (options->Output == StandardStream)
     {
       options->Output = streams.PrepareOutput();
     }
-    ApplyLook(app, *options);
+    CompleteRenderOptions(app, *options);
     CheckRenderOptions(app, *options);
     if (std::count(options->Files.begin(), options->Files.end(), StandardStream) > 0)
     {

@@ -23,7 +23,7 @@ namespace
 void RequireColoring(const CommandLine& app, const RenderOptions& options)
 {
   for (const char* name : { "--coloring-component", "--coloring-range", "--coloring-by-cells",
-         "--colormap", "--coloring-scalar-bar" })
+         "--colormap", "--coloring-scalar-bar", "-y" })
   {
     if (!options.Coloring.Enabled && app.Count(name) > 0)
     {
@@ -61,6 +61,14 @@ void RequireEngine(const CommandLine& app, const RenderOptions& options)
   }
 }
 
+}
+
+void CompleteRenderOptions(const CommandLine& app, RenderOptions& options)
+{
+  ColoringOptions& coloring = options.Coloring;
+  coloring.Enabled = coloring.Enabled || !coloring.Array.empty();
+  coloring.Component = coloring.ValuesAreColors ? -2 : coloring.Component;
+  ApplyLook(app, options);
 }
 
 void CheckRenderOptions(const CommandLine& app, const RenderOptions& options)
@@ -188,6 +196,8 @@ std::vector<std::string> FindIgnoredOptions(const CommandLine& app, const Render
     { "--shadows", !lights, "without --light-position: the headlight casts no shadows" },
     { "--light-radius", !hasLight(true), "without a positional --light-position" },
     { "--light-angle", !hasLight(false), "without a directional --light-position (w = 0)" },
+    { "--blending", !ray, "with --engine raster, which blends in the order of the cells" },
+    { "--raytracing", !ray, "with --engine raster" },
     { "--window", ray && options.Gatherer == "rays", "with --engine ray" },
   };
   std::vector<std::string> warnings;

@@ -141,7 +141,7 @@ void DeclareAppearance(const CommandLine& app, RenderOptions& options)
     .TypeName("NAME")
     .Group(group);
   app
-    .AddNegation("--no-materials", options.Materials,
+    .AddNegation("--no-materials,--geometry-only", options.Materials,
       "Read surfaces only: no materials, textures, lights and cameras of the files")
     .Group(group);
   AddColor(app, "--color", options.Color,
@@ -209,8 +209,10 @@ void DeclareColoring(const CommandLine& app, ColoringOptions& coloring)
     .TypeName("NAME")
     .TakeLast()
     .Group(group);
-  AddInteger(app, "--coloring-component", coloring.Component,
+  AddInteger(app, "--coloring-component,--comp", coloring.Component,
     "Component of the array; -1: magnitude, -2: the values are colors", -2, 1000000)
+    .Group(group);
+  app.AddFlag("-y", coloring.ValuesAreColors, "The values are colors: --coloring-component -2")
     .Group(group);
   const auto storeRange = [&coloring](const std::string& text) {
     coloring.RangeOfAllSteps = text == "all";
@@ -226,20 +228,23 @@ void DeclareColoring(const CommandLine& app, ColoringOptions& coloring)
     }
   };
   app
-    .AddParsed("--coloring-range", storeRange,
+    .AddParsed("--coloring-range,--range", storeRange,
       "Values mapped to the first and the last color; all: the data range over all time steps; "
       "default: the data range")
     .TypeName("A,B|all")
     .TakeLast()
     .Group(group);
-  app.AddFlag("--coloring-by-cells", coloring.ByCells, "Use a cell array instead of a point array")
+  app
+    .AddFlag("-c,--coloring-by-cells,--cells", coloring.ByCells,
+      "Use a cell array instead of a point array")
     .Group(group);
   AddChoice(app, "--colormap", coloring.Colormap, ColormapNames(),
     "Colormap; without this option, colors that the file gives to its values are used")
     .Each([&coloring](const std::string&) { coloring.HasColormap = true; })
     .TypeName("NAME")
     .Group(group);
-  app.AddFlag("-b,--coloring-scalar-bar", coloring.ScalarBar, "Draw the scalar bar").Group(group);
+  app.AddFlag("-b,--coloring-scalar-bar,--bar", coloring.ScalarBar, "Draw the scalar bar")
+    .Group(group);
 }
 
 void DeclareText(const CommandLine& app, RenderOptions& options)
@@ -323,6 +328,29 @@ void DeclareEffects(const CommandLine& app, RenderOptions& options)
 
 }
 
+namespace
+{
+
+/// Options of F3D for what this program always does, hidden in the help.
+void DeclareRedundant(const CommandLine& app, RenderOptions& options)
+{
+  for (const char* name : { "-a,--anti-aliasing", "-p,--blending,--translucency-support",
+         "-r,--raytracing", "-d,--raytracing-denoise,--denoise", "--no-config", "--dry-run" })
+  {
+    app.AddIgnored(name, options.RedundantMode);
+  }
+  const auto storeMode = [](const std::string& text) {
+    if (text != "all")
+    {
+      throw InvalidValue("--multi-file-mode",
+        "'" + text + "': all files are one scene, or {name} in --output makes one image per file");
+    }
+  };
+  app.AddParsed("--multi-file-mode", storeMode, "").Group("");
+}
+
+}
+
 void DeclareRenderOptions(const CommandLine& app, RenderOptions& options)
 {
   DeclareOutput(app, options);
@@ -336,6 +364,7 @@ void DeclareRenderOptions(const CommandLine& app, RenderOptions& options)
   DeclareEffects(app, options);
   DeclareLight(app, options.Light);
   DeclareShaftOptions(app, options.Shafts);
+  DeclareRedundant(app, options);
 }
 
 }

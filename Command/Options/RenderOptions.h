@@ -48,6 +48,7 @@ struct ColoringOptions
   std::string Colormap = "viridis";
   bool HasColormap = false; ///< --colormap is on the command line
   bool ScalarBar = false;
+  bool ValuesAreColors = false; ///< -y: Component is -2
 };
 
 /// Indirect light and environment.
@@ -75,6 +76,7 @@ struct RenderOptions
   int Threads = 0;
 
   std::string Look = "plain"; ///< see LookOptions.h
+  std::string RedundantMode;  ///< of options of F3D that request what is always done
   std::string Configuration;  ///< path; the parser has inserted its options
   CameraOptions Camera;
   ColoringOptions Coloring;
@@ -130,6 +132,9 @@ struct RenderOptions
 
 /// Declares the options of `render` on `app`; parsing fills `options`, which must outlive `app`.
 void DeclareRenderOptions(const CommandLine& app, RenderOptions& options);
+
+/// Sets options that others imply, and those of the look. Call after parsing.
+void CompleteRenderOptions(const CommandLine& app, RenderOptions& options);
 
 /// Throws CommandError if options contradict each other. Call after parsing.
 void CheckRenderOptions(const CommandLine& app, const RenderOptions& options);

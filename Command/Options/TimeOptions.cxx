@@ -87,7 +87,7 @@ void DeclareTimeOptions(const CommandLine& app, TimeOptions& time)
   const std::string group = "Time";
   app
     .AddParsed(
-      "--time",
+      "--time,--animation-time",
       [&time](const std::string& text) { time.Time = ParseNumbers("--time", text, 1, 1, {})[0]; },
       "Show the time step at this time, or the last one before it; default: the first step")
     .TypeName("T")

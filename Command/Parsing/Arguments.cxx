@@ -109,18 +109,44 @@ Option AddTriple(const CommandLine& app, const std::string& name, std::optional<
   return app.AddParsed(name, store, description).TypeName("X,Y,Z");
 }
 
+namespace
+{
+
+/// Parses axes with signs, such as "+Z" or "-X+Y"; returns false if the text is none.
+bool ParseAxes(const std::string& text, Vector3& direction)
+{
+  const std::string axes = "xyz";
+  double sign = 1.0;
+  bool complete = false;
+  for (const char c : text)
+  {
+    if (c == '+' || c == '-')
+    {
+      sign = c == '-' ? -1.0 : 1.0;
+      complete = false;
+      continue;
+    }
+    const std::size_t axis = axes.find(static_cast<char>(std::tolower(c)));
+    if (axis == axes.npos)
+    {
+      return false;
+    }
+    direction[axis] = sign;
+    sign = 1.0;
+    complete = true;
+  }
+  return complete;
+}
+
+}
+
 Option AddDirection(const CommandLine& app, const std::string& name, std::optional<Vector3>& target,
   const std::string& description)
 {
   const auto store = [name, &target](const std::string& text) {
-    const std::string axes = "xyz";
-    const std::size_t sign = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
-    const std::size_t axis =
-      text.size() == sign + 1 ? axes.find(static_cast<char>(std::tolower(text[sign]))) : axes.npos;
     target = Vector3{};
-    if (axis != axes.npos)
+    if (ParseAxes(text, *target))
     {
-      (*target)[axis] = text[0] == '-' ? -1.0 : 1.0;
       return;
     }
     const std::vector<double> numbers = ParseNumbers(name, text, 3, 3, {});

@@ -3,6 +3,7 @@
 #include "CommandLine.h"
 
 #include "ConfigurationFile.h"
+#include "ForeignOptions.h"
 #include "Processes/CommandError.h"
 
 #include <CLI/CLI.hpp>
@@ -29,12 +30,15 @@ std::string DescribeError(const CLI::App& program, const std::exception& error)
   if (dynamic_cast<const CLI::ExtrasError*>(&error) || (noSubcommand && !extras.empty()))
   {
     const std::string first = extras.empty() ? "" : extras.front();
-    const std::string option = first.substr(0, first.find('='));
+    const std::string option = FindShortOption(first.substr(0, first.find('=')));
     if (chosen.empty() && first.rfind('-', 0) != 0)
     {
       return first + ": unknown subcommand" + hint;
     }
-    return option + ": unknown option" + hint;
+    const bool renders = command == " render" || command == " animate";
+    const std::string replacement = renders ? FindReplacement(option) : std::string();
+    return replacement.empty() ? option + ": unknown option" + hint
+                               : option + ": an option of F3D; " + replacement + hint;
   }
   if (noSubcommand)
   {
@@ -140,6 +144,11 @@ Option CommandLine::AddNegation(
 {
   const auto store = [&target](std::int64_t uses) { target = uses <= 0; };
   return Option(this->Implementation->add_flag_function(name, store, description));
+}
+
+Option CommandLine::AddIgnored(const std::string& name, std::string& value) const
+{
+  return Option(this->Implementation->add_flag(name, value)->group(""));
 }
 
 Option CommandLine::Get(const std::string& name) const

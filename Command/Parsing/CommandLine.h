@@ -102,6 +102,9 @@ public:
   Option AddNegation(const std::string& name, bool& target, const std::string& description) const;
   ///@}
 
+  /// Adds a hidden option with an optional value ("--name=value").
+  Option AddIgnored(const std::string& name, std::string& value) const;
+
   /// Returns a declared option.
   Option Get(const std::string& name) const;
 

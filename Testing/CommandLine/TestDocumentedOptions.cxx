@@ -11,6 +11,7 @@
 #include <regex>
 #include <set>
 #include <sstream>
+#include <utility>
 
 using namespace penumbra_testing;
 
@@ -84,5 +85,83 @@ TEST(F3D, DocumentedOptionsAreAccepted)
     EXPECT_EQ(outcome.Status, 0) << line << outcome.Errors;
     EXPECT_EQ(WithoutToleranceWarnings(outcome.Errors), "") << line;
   }
-  EXPECT_EQ(rows, 26);
+  EXPECT_EQ(rows, 34);
+}
+
+TEST(F3D, OtherOptionsAreErrorsThatNameF3D)
+{
+  const Folder folder("f3d-others");
+  WriteSphereWithArrays(folder / "sphere.vtp");
+  std::istringstream page(ReadText(PENUMBRA_SOURCE_DIR "/Documentation/user/F3D.md"));
+  const std::regex option("`(-[^` ]+)`");
+  int options = 0;
+  std::string section;
+  for (std::string line; std::getline(page, line);)
+  {
+    section = line.rfind("## ", 0) == 0 ? line : section;
+    if (section != "## Not offered" || line.rfind("| `-", 0) != 0)
+    {
+      continue;
+    }
+    const std::string names = line.substr(0, line.find('|', 2));
+    for (auto i = std::sregex_iterator(names.begin(), names.end(), option);
+         i != std::sregex_iterator(); ++i)
+    {
+      ++options;
+      const std::string name = (*i)[1].str();
+      const ProgramResult outcome =
+        RunProgram({ "render", folder / "sphere.vtp", "--output", folder / "a.png", name });
+      EXPECT_EQ(outcome.Status, 2) << name;
+      EXPECT_EQ(CountLines(outcome.Errors), 1) << name << outcome.Errors;
+      EXPECT_NE(outcome.Errors.find(name.substr(0, name.find('=')) + ": an option of F3D; "),
+        std::string::npos)
+        << name << outcome.Errors;
+    }
+  }
+  EXPECT_EQ(options, 50);
+}
+
+TEST(F3D, ReplacementsAreNamed)
+{
+  const Folder folder("f3d-named");
+  WriteSphereWithArrays(folder / "sphere.vtp");
+  const std::vector<std::pair<std::string, std::string>> rows = { { "-o", "--representation" },
+    { "--point-sprites=sphere", "--point-radius" }, { "--up=+Z", "--camera-view-up" },
+    { "--coloring-mode=scivis", "--scalar-coloring" }, { "--hdri-ambient", "--indirect" },
+    { "--raytracing-samples=5", "--tolerance" }, { "--reference=a.png", "penumbra compare" },
+    { "--display-depth", ".vti" }, { "-sbv", "--contour" }, { "-n", "--text" } };
+  for (const auto& [name, replacement] : rows)
+  {
+    const ProgramResult outcome =
+      RunProgram({ "render", folder / "sphere.vtp", "--output", folder / "a.png", name });
+    EXPECT_EQ(outcome.Status, 2) << name;
+    EXPECT_NE(outcome.Errors.find("an option of F3D"), std::string::npos) << outcome.Errors;
+    EXPECT_NE(outcome.Errors.find(replacement), std::string::npos) << outcome.Errors;
+  }
+  // The rest of an error line stays.
+  const ProgramResult unknown =
+    RunProgram({ "render", folder / "sphere.vtp", "--output", folder / "a.png", "--nonsense" });
+  EXPECT_NE(unknown.Errors.find("--nonsense: unknown option"), std::string::npos);
+}
+
+TEST(F3D, ShortOptionsHaveTheirMeaning)
+{
+  const Folder folder("f3d-short");
+  WriteSphereWithArrays(folder / "sphere.vtp");
+  const auto render = [&folder](const std::string& name, std::vector<std::string> options) {
+    options.insert(options.begin(),
+      { "render", folder / "sphere.vtp", "--output", folder / name, "--resolution", "60,40" });
+    const ProgramResult outcome = RunProgram(options);
+    EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
+    return ReadText(folder / name);
+  };
+  const std::string cells =
+    render("a.png", { "--coloring-by-cells", "--coloring-array", "Number" });
+  EXPECT_EQ(render("b.png", { "-c", "--coloring-array", "Number" }), cells);
+  EXPECT_EQ(render("c.png", { "-scap", "--coloring-array=Number", "-r" }), cells);
+  const std::string colors =
+    render("d.png", { "--coloring-array", "Direction", "--coloring-component", "-2" });
+  EXPECT_EQ(render("e.png", { "-y", "--coloring-array", "Direction" }), colors);
+  EXPECT_EQ(render("f.png", { "--camera-direction=-x-y+z" }),
+    render("g.png", { "--camera-direction=-1,-1,1" }));
 }
