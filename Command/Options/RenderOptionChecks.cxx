@@ -22,6 +22,14 @@ namespace
 
 void RequireColoring(const CommandLine& app, const RenderOptions& options)
 {
+  for (const char* name : { "--scalar-bar-title", "--scalar-bar-position", "--scalar-bar-size",
+         "--scalar-bar-labels", "--scalar-bar-format" })
+  {
+    if (!options.Coloring.ScalarBar && app.Count(name) > 0)
+    {
+      throw CommandError(BadInput, std::string(name) + " needs --coloring-scalar-bar; give both");
+    }
+  }
   for (const char* name : { "--coloring-component", "--coloring-range", "--coloring-by-cells",
          "--colormap", "--coloring-scalar-bar", "-y" })
   {

@@ -245,6 +245,7 @@ void DeclareColoring(const CommandLine& app, ColoringOptions& coloring)
     .Group(group);
   app.AddFlag("-b,--coloring-scalar-bar,--bar", coloring.ScalarBar, "Draw the scalar bar")
     .Group(group);
+  DeclareScalarBarOptions(app, coloring.Bar);
 }
 
 void DeclareText(const CommandLine& app, RenderOptions& options)

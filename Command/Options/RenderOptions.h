@@ -7,6 +7,7 @@
 
 #include "CutOptions.h"
 #include "Parsing/Arguments.h"
+#include "ScalarBarOptions.h"
 #include "ShaftOptions.h"
 #include "SharedOptions.h"
 #include "TimeOptions.h"
@@ -48,6 +49,7 @@ struct ColoringOptions
   std::string Colormap = "viridis";
   bool HasColormap = false; ///< --colormap is on the command line
   bool ScalarBar = false;
+  ScalarBarOptions Bar;
   bool ValuesAreColors = false; ///< -y: Component is -2
 };
 

@@ -6,7 +6,6 @@
 #include "Options/Colormaps.h"
 #include "Options/RenderOptions.h"
 #include "Processes/CommandError.h"
-#include "TextFont.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -16,9 +15,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkRenderer.h"
-#include "vtkScalarBarActor.h"
-#include "vtkTextProperty.h"
 
 #include <algorithm>
 
@@ -181,30 +177,9 @@ vtkSmartPointer<vtkLookupTable> ChooseTable(
   return MakeColormap(options.Colormap);
 }
 
-void AddScalarBar(vtkRenderer* renderer, vtkLookupTable* table, const std::string& title,
-  bool darkText, bool warnsOfFonts)
-{
-  vtkNew<vtkScalarBarActor> bar;
-  for (vtkTextProperty* text : { bar->GetTitleTextProperty(), bar->GetLabelTextProperty() })
-  {
-    if (darkText)
-    {
-      text->SetColor(0.0, 0.0, 0.0);
-      text->ShadowOff();
-    }
-  }
-  SetFontFor(title, bar->GetTitleTextProperty(), warnsOfFonts);
-  SetFontFor("0", bar->GetLabelTextProperty(), warnsOfFonts);
-  bar->SetLookupTable(table);
-  bar->SetTitle(title.c_str());
-  bar->SetLabelFormat("%.4g");
-  renderer->AddViewProp(bar);
 }
 
-}
-
-void ColorByData(vtkRenderer* renderer, const Mappers& all, const ColoringOptions& options,
-  bool darkText, bool warnsOfFonts)
+ColorScale ColorByData(const Mappers& all, const ColoringOptions& options)
 {
   const std::string name = ChooseArray(all, options);
   const Mappers mappers = FindMappersWith(all, name, options.ByCells);
@@ -246,10 +221,7 @@ void ColorByData(vtkRenderer* renderer, const Mappers& all, const ColoringOption
       "--coloring-scalar-bar: the array '" + name +
         "' contains colors, which have no scalar bar; leave the option out");
   }
-  if (options.ScalarBar)
-  {
-    AddScalarBar(renderer, table, name, darkText, warnsOfFonts);
-  }
+  return { table, name };
 }
 
 }

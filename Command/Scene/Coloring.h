@@ -5,21 +5,30 @@
 #ifndef penumbra_Coloring_h
 #define penumbra_Coloring_h
 
+#include "vtkSmartPointer.h"
+
+#include <string>
 #include <vector>
 
+class vtkLookupTable;
 class vtkPolyDataMapper;
-class vtkRenderer;
 
 namespace penumbra
 {
 
 struct ColoringOptions;
 
-/// Colors every mapper whose data have the array and adds the scalar bar if requested, with black
-/// text if `darkText`, otherwise white text. If `warnsOfFonts`, characters that no font has cause a
-/// warning. Throws CommandError, which lists the available arrays, if no mapper has the array.
-void ColorByData(vtkRenderer* renderer, const std::vector<vtkPolyDataMapper*>& mappers,
-  const ColoringOptions& options, bool darkText, bool warnsOfFonts);
+/// The colors of the values of an array.
+struct ColorScale
+{
+  vtkSmartPointer<vtkLookupTable> Table;
+  std::string Array;
+};
+
+/// Colors every mapper whose data have the array. Throws CommandError, which lists the available
+/// arrays, if no mapper has the array.
+ColorScale ColorByData(
+  const std::vector<vtkPolyDataMapper*>& mappers, const ColoringOptions& options);
 
 }
 #endif

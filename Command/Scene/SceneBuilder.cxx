@@ -10,12 +10,14 @@
 #include "Materials.h"
 #include "Options/RenderOptions.h"
 #include "Processes/CommandError.h"
+#include "ScalarBar.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkCleanPolyData.h"
 #include "vtkLight.h"
+#include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -202,9 +204,13 @@ vtkSmartPointer<vtkRenderer> BuildScene(
   const bool darkText = NeedsDarkText(options, background);
   if (options.Coloring.Enabled && !mappers.empty())
   {
-    // Viewers of SVG have other fonts, and PDF files without the characters are refused.
-    const bool warnsOfFonts = !IsVectorGraphic(options.Output);
-    ColorByData(renderer, mappers, options.Coloring, darkText, warnsOfFonts);
+    const ColorScale scale = ColorByData(mappers, options.Coloring);
+    if (options.Coloring.ScalarBar)
+    {
+      // Viewers of SVG have other fonts, and PDF files without the characters are refused.
+      const bool warnsOfFonts = !IsVectorGraphic(options.Output);
+      AddScalarBar(renderer, scale.Table, scale.Array, options, darkText, warnsOfFonts);
+    }
     RemoveMaterialsOfColored(renderer, options, unitsPerPoint);
   }
   AddLabels(renderer, options, darkText);
