@@ -39,6 +39,10 @@ constexpr std::size_t RasterizedEdgesPerPixel = 1;
 constexpr std::size_t MinimumEdgesOfRasterizedTile = 256;
 /// Number of edges in a pixel from which its samples are rasterized instead of covering it exactly.
 constexpr std::size_t MinimumRasterizedEdges = 5;
+/// The same at lines on translucent surfaces or translucent lines, in tiles with any number of edges. Exact coverage takes a
+/// ray through all layers for each face, and edges of surfaces are close to their faces, so that more
+/// rays search for intersections.
+constexpr std::size_t MinimumLayeredEdges = 3;
 /// Maximum number of the first samples of a rasterized pixel.
 constexpr int MaximumFirstRasterizedSamples = 256;
 /// Number of rasterized samples that cost about as much as one ray.

@@ -75,7 +75,12 @@ public:
     const std::vector<char>& unsteady, const IntegrationSettings& settings);
 
   /// Sets the triangles of the tile, with which pixels full of edges are sampled; null: by rays.
-  void SetRasterizer(TileRasterizer* rasterizer) { this->Rasterizer = rasterizer; }
+  /// `crowded`: the tile has so many edges that pixels without lines are sampled, too.
+  void SetRasterizer(TileRasterizer* rasterizer, bool crowded)
+  {
+    this->Rasterizer = rasterizer;
+    this->RasterizesAll = rasterizer && crowded;
+  }
 
   /// Resets the state of a tile. Call it before the first pixel of a tile.
   void BeginTile()
@@ -218,6 +223,7 @@ private:
   const std::vector<char>& Unsteady;
   const IntegrationSettings Settings;
   TileRasterizer* Rasterizer = nullptr;
+  bool RasterizesAll = false;
   SampleCache Cache;
   std::vector<SampledPixel> Sampled; ///< of the current tile
 

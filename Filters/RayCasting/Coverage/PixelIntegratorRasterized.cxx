@@ -26,8 +26,13 @@ constexpr std::size_t ShadedSamplesOfLargeArea = 4;
 
 bool PixelIntegrator::MayRasterize(std::size_t edges) const
 {
-  return this->Rasterizer && edges >= MinimumRasterizedEdges &&
-    (this->Rasterizer->SelectPixel({ this->X, this->Y }) || this->SelectLayers());
+  if (!this->Rasterizer || edges < MinimumLayeredEdges)
+  {
+    return false;
+  }
+  const bool isOpaque = this->Rasterizer->SelectPixel({ this->X, this->Y });
+  const bool isFull = edges >= MinimumRasterizedEdges && this->RasterizesAll;
+  return isOpaque ? isFull : (isFull || this->Rasterizer->HasLines()) && this->SelectLayers();
 }
 
 // Finds the triangles at the samples of the selected pixel and adds their colors.

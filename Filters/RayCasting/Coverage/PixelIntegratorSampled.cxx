@@ -226,8 +226,9 @@ PixelResult PixelIntegrator::IntegrateSampled()
 {
   SampledPixel& pixel = this->AddSampledPixel();
   pixel.Floor = HiddenError;
-  pixel.IsRasterized = this->Rasterizer && this->Rasterizer->SelectPixel({ this->X, this->Y });
-  pixel.IsLayered = this->SelectLayers();
+  const bool isOpaque = this->Rasterizer && this->Rasterizer->SelectPixel({ this->X, this->Y });
+  pixel.IsRasterized = isOpaque && this->RasterizesAll;
+  pixel.IsLayered = !isOpaque && this->SelectLayers();
   this->Refine(pixel);
   return pixel.Result;
 }

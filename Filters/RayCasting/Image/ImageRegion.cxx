@@ -140,10 +140,15 @@ std::vector<char> SelectRasterizedTiles(
     integration.Method == IntegrationSettings::Methods::Silhouettes &&
     !TileRasterizer::RequiresRays(scene))
   {
+    const auto any = [&](const auto& test) {
+      return std::any_of(scene.Surfaces.begin(), scene.Surfaces.end(), test);
+    };
+    const bool hasLines = any([](const Surface& surface) { return surface.IsLineOrPoint; }) &&
+      any([](const Surface& surface) { return surface.IsTranslucent(); });
+    const std::size_t minimum = hasLines ? MinimumLayeredEdges : MinimumEdgesOfRasterizedTile;
     for (std::size_t tile = 0; tile < selected.size(); ++tile)
     {
-      selected[tile] =
-        tileEdges.Begin[tile + 1] - tileEdges.Begin[tile] >= MinimumEdgesOfRasterizedTile;
+      selected[tile] = tileEdges.Begin[tile + 1] - tileEdges.Begin[tile] >= minimum;
     }
   }
   return selected;
@@ -160,10 +165,7 @@ void RenderTile(glm::ivec2 origin, const TileEdges& edges, TileRasterizer* raste
     pixelEdges);
   const std::size_t pixels = static_cast<std::size_t>(TileSide) * TileSide;
   const bool crowded = pixelEdges.Edges.size() > CrowdedEdgesPerPixel * pixels;
-  if (pixelEdges.Edges.size() > RasterizedEdgesPerPixel * pixels)
-  {
-    integrator.SetRasterizer(rasterizer);
-  }
+  integrator.SetRasterizer(rasterizer, pixelEdges.Edges.size() > RasterizedEdgesPerPixel * pixels);
 
   // The integrator samples a pixel whose list of edges is longer than MaximumEdges.
   const std::vector<std::uint32_t> tooMany(edges.IsDense ? MaximumEdges + 1 : 0, 0u);

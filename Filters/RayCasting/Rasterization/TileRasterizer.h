@@ -59,6 +59,9 @@ public:
   /// FindLayers() decides what is visible.
   bool HasLayers() const { return this->IsLayered; }
 
+  /// Returns true if the selected pixel contains triangles of lines or points.
+  bool HasLines() const;
+
   /// Number of triangles of the selected pixel.
   std::size_t GetNumberOfLayers() const { return this->Selected.size(); }
   PrimitiveId GetLayer(std::uint32_t layer) const { return this->Ids[this->Selected[layer].Index]; }

@@ -7,6 +7,7 @@
 
 #include "Embree/CoincidentSurfaces.h"
 #include "Scene.h"
+#include "Surface.h"
 #include "Vectorized.h"
 
 #include <algorithm>
@@ -49,6 +50,15 @@ void FindKeys(const float* __restrict xs, const float* __restrict ys, int count,
   }
 }
 
+}
+
+bool TileRasterizer::HasLines() const
+{
+  const std::vector<Surface>& surfaces = this->Rays.GetScene().Surfaces;
+  return std::any_of(
+    this->Selected.begin(), this->Selected.end(), [&](const PixelTriangle& triangle) {
+      return surfaces[this->Ids[triangle.Index].Surface].IsLineOrPoint;
+    });
 }
 
 void TileRasterizer::SortLayers()
