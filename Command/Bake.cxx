@@ -17,6 +17,7 @@
 #include "Processes/Clock.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
+#include "Processes/OptionNames.h"
 #include "Processes/ProgressLine.h"
 #include "Processes/Worker.h"
 #include "Subcommands.h"
@@ -266,18 +267,7 @@ void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
 void OnWarning(vtkObject*, unsigned long, void* clientData, void* callData)
 {
   static_cast<std::vector<std::string>*>(clientData)
-    ->push_back(StripMessagePrefix(static_cast<const char*>(callData)));
-}
-
-/// Names the option instead of the property of the filter.
-std::string NameOption(std::string error)
-{
-  const std::string property = "OpacityArray:";
-  if (error.compare(0, property.size(), property) == 0)
-  {
-    error.replace(0, property.size(), "--opacity-array:");
-  }
-  return error;
+    ->push_back(NameOptions(StripMessagePrefix(static_cast<const char*>(callData))));
 }
 
 /// Returns true if hemispheres are sampled by the rasterizer.
@@ -375,7 +365,7 @@ int Bake(const BakeOptions& options, std::vector<std::string> warnings, Clock::t
   }
   if (!errors.empty())
   {
-    throw CommandError(BadInput, options.File + ": " + NameOption(errors.front()));
+    throw CommandError(BadInput, options.File + ": " + NameOptions(errors.front()));
   }
   const double bakeSeconds = SecondsSince(lap);
 

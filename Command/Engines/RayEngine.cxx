@@ -14,6 +14,7 @@
 #include "Processes/Clock.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
+#include "Processes/OptionNames.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -65,26 +66,6 @@ void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
   observer.Listener(*static_cast<double*>(callData));
 }
 
-/// Replaces the properties in the remedy of a missed tolerance by the options of this program.
-std::string NameOptions(std::string warning)
-{
-  if (warning.find("The tolerance of") != 0)
-  {
-    return warning;
-  }
-  const std::pair<const char*, const char*> names[] = { { " Tolerance", " --tolerance" },
-    { " LightTolerance", " --light-tolerance" }, { " MaximumLevel", " --max-level" } };
-  for (const auto& [property, option] : names)
-  {
-    const std::size_t at = warning.find(property);
-    if (at != std::string::npos)
-    {
-      warning.replace(at, std::string(property).size(), option);
-    }
-  }
-  return warning;
-}
-
 // Collects warnings about geometry that the ray caster skips.
 void OnWarning(vtkObject*, unsigned long, void* clientData, void* callData)
 {
@@ -130,7 +111,7 @@ vtkSmartPointer<vtkImageData> ReadDensity(const std::string& path)
   const std::string invalid = vtkPenumbraMedium::FindInvalidDensity(data);
   if (!invalid.empty())
   {
-    throw CommandError(BadInput, "--shafts-density: " + path + " " + invalid);
+    throw CommandError(BadInput, "--shafts-density: " + path + " " + NameOptions(invalid));
   }
   return vtkImageData::SafeDownCast(data);
 }
@@ -260,7 +241,7 @@ RenderResult Draw(vtkPenumbraRayCaster* caster, vtkRenderer* renderer, const Ren
   }
   if (!errors.empty())
   {
-    throw CommandError(BadInput, "--engine ray: " + errors.front());
+    throw CommandError(BadInput, "--engine ray: " + NameOptions(errors.front()));
   }
 
   result.Image = vtkSmartPointer<vtkImageData>::New();

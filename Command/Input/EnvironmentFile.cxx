@@ -6,6 +6,7 @@
 #include "Files/InputFiles.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
+#include "Processes/OptionNames.h"
 #include "ReadLimit.h"
 
 #include "vtkHDRReader.h"
@@ -70,7 +71,7 @@ vtkSmartPointer<vtkPenumbraEnvironment> ReadEnvironment(
   }
   catch (const std::runtime_error& error)
   {
-    throw CommandError(BadInput, "--hdri-file: " + path + ": " + error.what());
+    throw CommandError(BadInput, "--hdri-file: " + path + ": " + NameOptions(error.what()));
   }
   return environment;
 }

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OptionNames.h"
+
+#include <cctype>
+#include <utility>
+
+namespace penumbra
+{
+
+namespace
+{
+
+bool IsWordCharacter(const std::string& text, std::size_t at)
+{
+  return at < text.size() &&
+    (std::isalnum(static_cast<unsigned char>(text[at])) || text[at] == '_');
+}
+
+/// Replaces whole words.
+void ReplaceWords(std::string& text, const std::string& words, const std::string& replacement)
+{
+  for (std::size_t at = text.find(words); at != text.npos; at = text.find(words, at))
+  {
+    if ((at > 0 && IsWordCharacter(text, at - 1)) || IsWordCharacter(text, at + words.size()))
+    {
+      at += words.size();
+      continue;
+    }
+    text.replace(at, words.size(), replacement);
+    at += replacement.size();
+  }
+}
+
+}
+
+std::string NameOptions(std::string message)
+{
+  // Sentences first, then the names that they contain.
+  static const std::pair<const char*, const char*> rows[] = {
+    { "for example with vtkReverseSense, or with flip_faces() in PyVista",
+      "for example in the program that wrote the mesh" },
+    { "for example with vtkReverseSense", "for example in the program that wrote the mesh" },
+    { "not vtkPointSets", "not meshes" },
+    { "Set another FontFile in its vtkTextProperty", "Set the environment variable PENUMBRA_FONT" },
+    { "Call vtkRenderer::ResetCameraClippingRange()", "Check the --camera options" },
+    { "Set AmbientOcclusion of vtkPenumbraRayCaster", "Use --ambient-occlusion" },
+    { "Use IndirectLight and Environment of vtkPenumbraRayCaster",
+      "Use --indirect and --hdri-file" },
+    { "Direct light needs at least one light. Call AddLight()",
+      "--quantity direct-light needs --light-position" },
+    { "vtkPenumbraEnvironment: Image must be set to a single slice with point scalars",
+      "the image must be a single slice with point scalars" },
+    { "vtkPenumbraEnvironment: the values of Image", "the values of the image" },
+    { "vtkPenumbraEnvironment: Up", "--hdri-up" },
+    { "vtkPenumbraMedium:", "--light-shafts:" },
+    { "EnvironmentColor or Environment", "--environment-color or --hdri-file" },
+    { "Reduce Resolution", "Reduce --resolution" },
+    { "LightTolerance", "--light-tolerance" },
+    { "Tolerance", "--tolerance" },
+    { "MaximumLevel", "--max-level" },
+    { "LightRadius", "--light-radius" },
+    { "LightAngle", "--light-angle" },
+    { "OpacityArray", "--opacity-array" },
+    { "EnvironmentColor", "--environment-color" },
+    { "Asymmetry", "--shafts-phase" },
+    { "Bounds", "the bounds" },
+    { "vtkImageData", "an image" },
+  };
+  for (const auto& [words, replacement] : rows)
+  {
+    ReplaceWords(message, words, replacement);
+  }
+  return message;
+}
+
+}
