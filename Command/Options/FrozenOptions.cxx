@@ -10,6 +10,7 @@
 #include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 
@@ -29,9 +30,13 @@ void FreezeCamera(vtkCamera* camera, CameraOptions& options)
   camera->GetPosition(position.data());
   camera->GetFocalPoint(focalPoint.data());
   camera->GetViewUp(viewUp.data());
+  // An orbit turns about the up direction of the options, which the camera's is orthogonalized from.
+  const Vector3 up = options.ViewUp.value_or(Vector3{ 0.0, 1.0, 0.0 });
+  const bool isUpright =
+    options.Index < 0 && vtkMath::Dot(up.data(), viewUp.data()) > 0.01 * vtkMath::Norm(up.data());
   options.Position = position;
   options.FocalPoint = focalPoint;
-  options.ViewUp = viewUp;
+  options.ViewUp = isUpright ? up : viewUp;
   options.ParallelScale = camera->GetParallelScale();
   options.ViewAngle = camera->GetViewAngle();
   options.Orthographic = camera->GetParallelProjection() != 0;

@@ -92,6 +92,21 @@ TEST(Animate, OrbitMatchesRenderedViews)
   EXPECT_EQ(Difference(folder / "level0001.png", folder / "turned.png"), 0.0);
 }
 
+TEST(Animate, OrbitOfATiltedViewTurnsAboutTheUpDirection)
+{
+  const Folder folder("tilted");
+  WriteSphereWithArrays(folder / "sphere.vtp");
+  for (const char* up : { "0,1,0", "0,0,1", "0.2,1,0.1" })
+  {
+    Make({ "animate", folder / "sphere.vtp", "--output", folder / "{frame}.png", "--frames", "3",
+      "--coloring-array", "Height", "--camera-direction=-1,-1,-2", "--camera-view-up", up });
+    Make({ "render", folder / "sphere.vtp", "--output", folder / "turned.png", "--coloring-array",
+      "Height", "--camera-direction=-1,-1,-2", "--camera-view-up", up, "--camera-azimuth-angle",
+      "120" });
+    EXPECT_LE(Difference(folder / "0001.png", folder / "turned.png"), 1.01 / 255.0) << up;
+  }
+}
+
 TEST(Animate, MovesFileWithFixedCamera)
 {
   const Folder folder("move");
