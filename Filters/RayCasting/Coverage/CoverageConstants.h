@@ -47,6 +47,8 @@ constexpr std::size_t MinimumLayeredEdges = 3;
 constexpr int MaximumFirstRasterizedSamples = 256;
 /// Number of rasterized samples that cost about as much as one ray.
 constexpr double RasterizedSamplesPerRay = 4.0;
+/// The same where a texture varies, which few triangles show.
+constexpr double TexturedSamplesPerRay = 16.0;
 
 // --- Intersections of triangles ---
 

@@ -126,8 +126,14 @@ PixelResult PixelIntegrator::Integrate(
     return this->IntegrateUnsteady();
   }
   this->LoadSegments(edgeIndices, count, true);
+  const bool isTextureDiscontinuous = this->IsTextureDiscontinuous();
+  if (isTextureDiscontinuous && this->Rasterizer &&
+    !this->Rasterizer->SelectPixel({ this->X, this->Y }) && this->SelectLayers())
+  {
+    return this->IntegrateSampled();
+  }
   const bool unknown = (this->Settings.Shadows && !this->Segments.empty()) ||
-    this->IsNearShadowBoundary() || this->IsTextureDiscontinuous();
+    this->IsNearShadowBoundary() || isTextureDiscontinuous;
   if (unknown || this->HitsDenseSurface())
   {
     return this->IntegrateDense(unknown);

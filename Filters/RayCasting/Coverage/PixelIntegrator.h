@@ -170,7 +170,7 @@ private:
   bool MayRasterize(std::size_t edges) const;
   bool SelectLayers() const;
   void RasterizeLayers(SampledPixel& pixel, std::size_t total);
-  void ShadeLayer(const SampledPixel& pixel, std::uint32_t layer, PixelLayerColor& color);
+  void ShadeLayer(SampledPixel& pixel, std::uint32_t layer, PixelLayerColor& color);
   glm::vec4 CompositeLayers(
     SampledPixel& pixel, glm::vec2 point, const LayerCandidate* begin, const LayerCandidate* end);
   void TraceSamples(SampledPixel& pixel, std::size_t total);

@@ -6,6 +6,7 @@
 // their colors are composited per sample as along a ray.
 #include "PixelIntegrator.h"
 
+#include "Rasterization/ProjectedTriangle.h"
 #include "Sampling/EdgeBlending.h"
 #include "Scene.h"
 #include "Surface.h"
@@ -28,6 +29,32 @@ constexpr float CornerDistance = 0.6f;
 /// Part of the squared spread of points that is added in all directions, so that points near a line
 /// have no gradient across it.
 constexpr float SpreadRegularization = 0.01f;
+
+/// Returns the texture coordinates of a triangle relative to the lower left corner of a pixel.
+PixelTexture FindTexture(
+  const Surface& surface, std::uint32_t triangle, const Camera& camera, glm::dvec2 pixel)
+{
+  PixelTexture texture;
+  texture.Image = surface.LitTexture.get();
+  const glm::uvec3 corners = surface.GetCorners(triangle);
+  const ProjectedTriangle projected(surface.GetPoints(triangle), camera);
+  glm::dvec3 values[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    const double weight = camera.Parallel ? 1.0 : projected.Keys[i];
+    values[i] = weight * glm::dvec3(surface.TextureCoordinates[corners[i]], 1.0);
+  }
+  const glm::dvec2 a = projected.Points[0] - pixel;
+  const glm::dvec2 ab = projected.Points[1] - projected.Points[0];
+  const glm::dvec2 ac = projected.Points[2] - projected.Points[0];
+  const double area = ab.x * ac.y - ab.y * ac.x;
+  const glm::dvec3 u = values[1] - values[0];
+  const glm::dvec3 v = values[2] - values[0];
+  texture.SlopeX = (u * ac.y - v * ab.y) / area;
+  texture.SlopeY = (v * ab.x - u * ac.x) / area;
+  texture.Value = values[0] - texture.SlopeX * a.x - texture.SlopeY * a.y;
+  return texture;
+}
 
 /// Fits the gradient of the color to colors at points.
 void FitGradient(
@@ -79,11 +106,16 @@ void PixelIntegrator::RasterizeLayers(SampledPixel& pixel, std::size_t total)
 
 // Shades a triangle at the center of the part of the pixel that it covers, or, if that part is large
 // and the color may vary, near some of its corners.
-void PixelIntegrator::ShadeLayer(
-  const SampledPixel& pixel, std::uint32_t layer, PixelLayerColor& color)
+void PixelIntegrator::ShadeLayer(SampledPixel& pixel, std::uint32_t layer, PixelLayerColor& color)
 {
   color.Id = this->Rasterizer->GetLayer(layer);
   color.Of = &this->Tracer.GetScene().Surfaces[color.Id.Surface];
+  if (color.Of->LitTexture)
+  {
+    pixel.HasTexture = true;
+    color.Texels = FindTexture(
+      *color.Of, color.Id.Primitive, this->Tracer.GetCamera(), glm::dvec2(pixel.X, pixel.Y));
+  }
   const std::vector<glm::vec2> polygon = this->Rasterizer->ClipLayer(layer);
   glm::vec2 center(0.f);
   float area = 0.f;

@@ -6,6 +6,7 @@
 #define penumbra_SampledPixel_h
 
 #include "Sampling/CameraRayTracer.h"
+#include "Shading/SurfaceColor.h"
 
 #include <glm/glm.hpp>
 
@@ -27,7 +28,24 @@ struct PixelResult
   float LightError = 0.f; ///< part of Error that light effects cause
 };
 
-/// Color of a triangle that is a layer in one pixel: linear over the pixel.
+/// Values that are linear in the pixel: of the texture coordinates times the weight, and of the weight,
+/// the inverse depth.
+struct PixelTexture
+{
+  const Texture* Image = nullptr; ///< null: there is none
+  glm::dvec3 Value{ 0.0 };        ///< at the origin of the pixel
+  glm::dvec3 SlopeX{ 0.0 };
+  glm::dvec3 SlopeY{ 0.0 };
+
+  glm::vec2 At(glm::vec2 point) const
+  {
+    const glm::dvec3 p = this->Value + static_cast<double>(point.x) * this->SlopeX +
+      static_cast<double>(point.y) * this->SlopeY;
+    return glm::vec2(p.x / p.z, p.y / p.z);
+  }
+};
+
+/// Color of a triangle that is a layer in one pixel: linear over the pixel, times a texture.
 struct PixelLayerColor
 {
   PrimitiveId Id{};
@@ -37,16 +55,19 @@ struct PixelLayerColor
   glm::vec4 Color{ 0.f };     ///< at the center; not premultiplied, and opacity
   glm::vec4 Gradient[2] = {}; ///< change of the color along x and y
   float Slope = 0.f;          ///< see EdgeBlending
+  PixelTexture Texels;
 
   glm::vec4 At(glm::vec2 point) const
   {
-    if (this->IsConstant)
+    glm::vec4 color = this->Color;
+    if (!this->IsConstant)
     {
-      return this->Color;
+      const glm::vec2 d = point - this->Center;
+      color = glm::clamp(color + d.x * this->Gradient[0] + d.y * this->Gradient[1], glm::vec4(0.f),
+        glm::vec4(glm::vec3(1e30f), 1.f));
     }
-    const glm::vec2 d = point - this->Center;
-    return glm::clamp(this->Color + d.x * this->Gradient[0] + d.y * this->Gradient[1],
-      glm::vec4(0.f), glm::vec4(glm::vec3(1e30f), 1.f));
+    return this->Texels.Image ? color * SampleTexture(*this->Texels.Image, this->Texels.At(point))
+                              : color;
   }
 };
 
@@ -62,7 +83,8 @@ struct SampledPixel
   glm::vec4 MeanOfFaces{ 0.f };      ///< sum of areas times FaceColors
   std::vector<glm::vec4> Samples;    ///< differences to the colors of the faces
   bool IsRasterized = false;         ///< the hits of the samples are found without rays
-  bool IsLayered = false; ///< the same at translucent surfaces; the samples are in Samples
+  bool IsLayered = false;  ///< the same at translucent surfaces; the samples are in Samples
+  bool HasTexture = false; ///< of a triangle in LayerColors
   std::vector<PixelLayerColor> LayerColors; ///< per layer of a pixel of layers
   /// Colors of the visible triangles of a rasterized pixel.
   std::vector<std::pair<PrimitiveId, glm::vec4>> TriangleColors;

@@ -66,7 +66,9 @@ private:
 double ComputeCost(const SampledPixel& pixel)
 {
   const double samples = std::max<double>(pixel.GetNumberOfSamples(), MinimumSamples);
-  return pixel.IsRasterized || pixel.IsLayered ? samples / RasterizedSamplesPerRay : samples;
+  return pixel.HasTexture                   ? samples / TexturedSamplesPerRay
+    : pixel.IsRasterized || pixel.IsLayered ? samples / RasterizedSamplesPerRay
+                                            : samples;
 }
 
 struct Candidate

@@ -145,7 +145,11 @@ std::vector<char> SelectRasterizedTiles(
     };
     const bool hasLines = any([](const Surface& surface) { return surface.IsLineOrPoint; }) &&
       any([](const Surface& surface) { return surface.IsTranslucent(); });
-    const std::size_t minimum = hasLines ? MinimumLayeredEdges : MinimumEdgesOfRasterizedTile;
+    const bool hasTextures =
+      any([](const Surface& surface) { return surface.LitTexture != nullptr; });
+    const std::size_t minimum = hasTextures ? 0
+      : hasLines                            ? MinimumLayeredEdges
+                                            : MinimumEdgesOfRasterizedTile;
     for (std::size_t tile = 0; tile < selected.size(); ++tile)
     {
       selected[tile] = tileEdges.Begin[tile + 1] - tileEdges.Begin[tile] >= minimum;

@@ -212,8 +212,10 @@ ProjectedTriangle TileRasterizer::AddTriangle(PrimitiveId id)
     triangle.Key.SlopeY = (v * ab.x - u * ac.x) / area;
     triangle.Key.Value = projected.Keys[0] - triangle.Key.SlopeX * a.x - triangle.Key.SlopeY * a.y;
     triangle.IsLayer = this->Bins.IsLayer(id.Surface);
+    triangle.IsTextured = this->Bins.IsTextured(id.Surface);
     triangle.IsComplex =
-      (this->Bins.IsComplex(id.Surface) && !triangle.IsLayer) || !std::isfinite(triangle.Key.Value);
+      (this->Bins.IsComplex(id.Surface) && !triangle.IsLayer && !triangle.IsTextured) ||
+      !std::isfinite(triangle.Key.Value);
     triangle.IsPlanar = this->Rays.GetCells(id.Surface) != nullptr;
     triangle.Area = std::abs(area);
     if (this->Rays.GetCoincidentSurfaces().DepthTolerance(id.Surface) > 0.f)
@@ -343,6 +345,7 @@ bool TileRasterizer::AddToPixel(std::uint32_t index, glm::dvec2 corner)
   added.Index = index;
   added.IsComplex = triangle.IsComplex;
   added.IsLayer = triangle.IsLayer;
+  added.IsTextured = triangle.IsTextured;
   const bool isBounded = std::isfinite(triangle.Key.Value);
   added.IsFull = isBounded;
   for (int i = 0; i < 3 && isBounded; ++i)
@@ -442,7 +445,7 @@ bool TileRasterizer::SelectPixel(glm::ivec2 pixel)
   this->ReferenceKey = reference;
   this->IsLayered = !this->IsComplex &&
     std::any_of(this->Selected.begin(), this->Selected.end(),
-      [](const PixelTriangle& triangle) { return triangle.IsLayer; });
+      [](const PixelTriangle& triangle) { return triangle.IsLayer || triangle.IsTextured; });
   this->IsComplex = this->IsComplex || this->IsLayered;
   return !this->IsComplex;
 }

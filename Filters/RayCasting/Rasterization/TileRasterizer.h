@@ -55,7 +55,7 @@ public:
   /// GetTriangle(), or None, for each point.
   void Rasterize(const SamplePoints& points, std::vector<std::uint32_t>& visible);
 
-  /// Returns true if SelectPixel() returned false only because of translucent surfaces, so that
+  /// Returns true if SelectPixel() returned false only because of translucent or textured surfaces, so that
   /// FindLayers() decides what is visible.
   bool HasLayers() const { return this->IsLayered; }
 
@@ -90,10 +90,11 @@ private:
     double KeyError; ///< of a coincident triangle: rounding error of Key, or of Key / Key
     glm::vec2 Low;   ///< bounds, in pixels relative to the tile
     glm::vec2 High;
-    bool IsComplex; ///< only rays can decide what is visible
-    bool IsLayer;   ///< what is behind it is visible, too
-    bool IsPlanar;  ///< of a surface with PlanarCells: all triangles in one plane
-    double Area;    ///< of the projected triangle
+    bool IsComplex;  ///< only rays can decide what is visible
+    bool IsLayer;    ///< what is behind it is visible, too
+    bool IsTextured; ///< by a texture that multiplies its color
+    bool IsPlanar;   ///< of a surface with PlanarCells: all triangles in one plane
+    double Area;     ///< of the projected triangle
   };
 
   /// A triangle of the selected pixel, relative to the origin of the pixel.
@@ -107,6 +108,7 @@ private:
     bool IsFull;                                             ///< covers the pixel
     bool IsComplex;
     bool IsLayer;
+    bool IsTextured;
     std::uint32_t Index; ///< in Triangles and Ids
   };
 

@@ -20,11 +20,15 @@ namespace
 // Distance in pixels up to which a triangle outside a tile is also binned into it.
 constexpr double Margin = 2e-3;
 
+/// Returns 0 if rays and layers are not required, see TriangleBins::IsComplex() and IsLayer().
 char FindComplexity(const Surface& surface)
 {
-  const bool isTextured = surface.ColorTexture || surface.LitTexture || surface.BaseColorTexture ||
-    surface.DetailTextures;
-  return isTextured ? 1 : surface.IsTranslucent() || surface.IsAdditive ? 2 : 0;
+  if (surface.ColorTexture || surface.BaseColorTexture || surface.DetailTextures ||
+    (surface.LitTexture && !surface.TextureOnBackfaces))
+  {
+    return 1;
+  }
+  return surface.IsTranslucent() || surface.IsAdditive ? 2 : surface.LitTexture ? 3 : 0;
 }
 
 /// The triangles of all surfaces that are binned, one after the other.

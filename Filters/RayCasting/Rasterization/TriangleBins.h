@@ -45,12 +45,15 @@ public:
   /// that rays are required: translucent and textured surfaces.
   bool IsComplex(std::uint32_t surface) const { return this->Complex[surface] != 0; }
 
-  /// Returns true if that is so only because the surface is translucent or emits light, so that its
-  /// triangles still have one color each.
+  /// Returns true if that is so because the surface is translucent or emits light; layers decide.
   bool IsLayer(std::uint32_t surface) const { return this->Complex[surface] == 2; }
 
+  /// Returns true if that is so only because of a texture that multiplies colors; layers decide.
+  bool IsTextured(std::uint32_t surface) const { return this->Complex[surface] == 3; }
+
 private:
-  std::vector<char> Complex;      ///< per surface, 2: see IsLayer(); empty if no tile is selected
+  std::vector<char>
+    Complex; ///< per surface, 2: IsLayer(), 3: IsTextured(); empty if no tile is selected
   std::vector<std::size_t> Begin; ///< first triangle of each tile, and the end
   std::vector<PrimitiveId> Triangles;
 };

@@ -231,7 +231,7 @@ LayerColor CameraRayTracer::ShadeLayer(glm::dvec2 p, PrimitiveId triangle, RayCo
 {
   const Ray ray = this->MakeRay(p);
   const Hit hit = ComputeHit(this->GetScene(), triangle.Surface, triangle.Primitive, ray);
-  const ShadedHit shaded = this->SurfaceShading.Shade(ray, hit, counts.Shadow, nullptr);
+  const ShadedHit shaded = this->SurfaceShading.ShadeUntextured(ray, hit, counts.Shadow);
   return { triangle, shaded.Color, EdgeBlending::ComputeSlope(ray, shaded) };
 }
 

@@ -73,8 +73,8 @@ public:
   Sample ShadeSample(glm::dvec2 p, const PrimitiveId* triangle, RayCounts& counts,
     double toleranceScale = 1.0) const;
 
-  /// Returns the color of a triangle at a point at which it is a layer, without what is behind it
-  /// and without the occlusion and the irradiance of providers.
+  /// Returns the color of a triangle at a point at which it is a layer, without the texture of the
+  /// actor, without what is behind it and without the occlusion and the irradiance of providers.
   LayerColor ShadeLayer(glm::dvec2 p, PrimitiveId triangle, RayCounts& counts) const;
 
   /// TraceSample() for PacketSize points. Points whose bit in `active` is not set are skipped.

@@ -149,6 +149,11 @@ ShadedHit Shading::Shade(
   return this->ShadeHit(Terms::All, ray, hit, shadowRays, penumbrae);
 }
 
+ShadedHit Shading::ShadeUntextured(const Ray& ray, const Hit& hit, long long& shadowRays) const
+{
+  return this->ShadeHit(Terms::Untextured, ray, hit, shadowRays, nullptr);
+}
+
 ShadedHit Shading::ShadeDiffuse(const Ray& ray, const Hit& hit, long long& shadowRays) const
 {
   return this->ShadeHit(Terms::Diffuse, ray, hit, shadowRays, nullptr);
@@ -175,7 +180,7 @@ ShadedHit Shading::ShadeEmission(const Ray& ray, const Hit& hit) const
 ShadedHit Shading::ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long long& shadowRays,
   PenumbraSampling* penumbrae) const
 {
-  const bool diffuseOnly = terms != Terms::All;
+  const bool diffuseOnly = terms == Terms::Diffuse || terms == Terms::Emission;
   const Scene& scene = this->Rays.GetScene();
   const Surface& surface = scene.Surfaces[hit.Surface];
   const SurfaceMaterial& material = this->Materials[hit.Surface];
@@ -272,7 +277,7 @@ ShadedHit Shading::ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long lo
     rgb = this->ApplyLights(phong, shaded, point, shadowRays, penumbrae);
   }
   shaded.Color = glm::vec4(rgb, phong.Opacity);
-  if (surface.LitTexture && (front || surface.TextureOnBackfaces))
+  if (surface.LitTexture && terms != Terms::Untextured && (front || surface.TextureOnBackfaces))
   {
     const glm::vec4 texel =
       SampleTexture(*surface.LitTexture, Interpolate(surface.TextureCoordinates, corners, weights));

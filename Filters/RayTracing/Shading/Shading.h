@@ -64,6 +64,9 @@ public:
   ShadedHit Shade(const Ray& ray, const Hit& hit, long long& shadowRays,
     PenumbraSampling* penumbrae = nullptr) const;
 
+  /// Shades a hit without the texture of the actor, which multiplies the color.
+  ShadedHit ShadeUntextured(const Ray& ray, const Hit& hit, long long& shadowRays) const;
+
   /// Shades a hit without specular highlights. Surfaces without lighting count as emitters, not as
   /// reflectors.
   ShadedHit ShadeDiffuse(const Ray& ray, const Hit& hit, long long& shadowRays) const;
@@ -129,8 +132,9 @@ private:
   enum class Terms
   {
     All,
-    Diffuse, ///< no specular highlights; unlit surfaces emit only
-    Emission ///< no lights
+    Untextured, ///< without Surface::LitTexture
+    Diffuse,    ///< no specular highlights; unlit surfaces emit only
+    Emission    ///< no lights
   };
   ShadedHit ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long long& shadowRays,
     PenumbraSampling* penumbrae) const;

@@ -8,6 +8,7 @@
 #include "Background.h"
 #include "Embree/RayScene.h"
 #include "Material.h"
+#include "vtkPenumbraFiltersRayTracingModule.h" // for export macro
 
 #include <vector>
 
@@ -26,7 +27,8 @@ T Interpolate(const std::vector<T>& values, glm::uvec3 corners, glm::vec3 weight
 
 /// Returns the RGBA color of a texture, in [0, 1], as VTK samples it without mipmaps. `coordinates`
 /// span the image from (0, 0) to (1, 1).
-glm::vec4 SampleTexture(const Texture& texture, glm::vec2 coordinates);
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT glm::vec4 SampleTexture(
+  const Texture& texture, glm::vec2 coordinates);
 
 /// Returns the color of a sky in a direction, which need not have unit length.
 glm::vec4 SampleSky(const Sky& sky, glm::dvec3 direction);

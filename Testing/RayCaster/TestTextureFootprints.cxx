@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A textured quad seen at grazing angles: tiles within the tolerance, and few rays. The references
+// are uniform rays and, for stripes, the exact mean over each pixel.
+#include "Scenes/TestScene.h"
+#include "vtkPenumbraRayCaster.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkTexture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+
+using namespace penumbra;
+
+namespace
+{
+
+constexpr int Side = 64;
+constexpr int Tile = 16;
+
+/// Adds the unit square with a texture of `texels` x `texels` colors, each black or white.
+vtkActor* AddTexturedSquare(
+  vtkRenderer* renderer, int texels, bool interpolate, const std::function<bool(int, int)>& isWhite)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(texels, texels, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int j = 0; j < texels; ++j)
+  {
+    for (int i = 0; i < texels; ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        image->SetScalarComponentFromDouble(i, j, 0, k, isWhite(i, j) ? 255 : 0);
+      }
+    }
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->SetInterpolate(interpolate);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(0, 0, 0);
+  plane->SetPoint1(1, 0, 0);
+  plane->SetPoint2(0, 1, 0);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->SetTexture(texture);
+  actor->GetProperty()->LightingOff();
+  renderer->AddActor(actor);
+  return actor;
+}
+
+/// Returns the number of tiles whose error exceeds the tolerance although the estimate does not.
+int CountWrongTiles(const Answer& answer, const Answer& reference, double tolerance, int& above)
+{
+  int wrong = 0;
+  for (int tile = 0; tile < (Side / Tile) * (Side / Tile); ++tile)
+  {
+    double squares = 0.0;
+    double estimates = 0.0;
+    for (int i = 0; i < Tile * Tile; ++i)
+    {
+      const int row = tile / (Side / Tile) * Tile + i / Tile;
+      const std::size_t at =
+        static_cast<std::size_t>(row) * Side + tile % (Side / Tile) * Tile + i % Tile;
+      const glm::dvec3 d = answer.Colors[at] - reference.Colors[at];
+      squares += glm::dot(d, d) / 3.0;
+      estimates += answer.Estimates[at] * answer.Estimates[at];
+    }
+    above += squares > tolerance * tolerance * Tile * Tile;
+    wrong += squares > tolerance * tolerance * Tile * Tile && estimates < squares;
+  }
+  return wrong;
+}
+
+}
+
+TEST(TextureFootprints, AreWithinTheToleranceAtGrazingAngles)
+{
+  for (const bool interpolate : { false, true })
+  {
+    for (const double opacity : { 1.0, 0.6 })
+    {
+      SCOPED_TRACE(interpolate);
+      SCOPED_TRACE(opacity);
+      vtkNew<vtkRenderer> renderer;
+      renderer->SetBackground(0.2, 0.3, 0.4);
+      vtkActor* const actor = AddTexturedSquare(
+        renderer, 128, interpolate, [](int i, int j) { return (i / 2 + j / 2) % 2 == 0; });
+      actor->GetProperty()->SetOpacity(opacity);
+      vtkCamera* const camera = renderer->GetActiveCamera();
+      camera->SetPosition(0.45, -0.1, 0.12);
+      camera->SetFocalPoint(0.5, 0.5, 0.0);
+      camera->SetViewUp(0, 0, 1);
+      camera->SetViewAngle(40.0);
+      renderer->ResetCameraClippingRange();
+      double tolerance = 0.0;
+      const Answer answer = Cast(renderer, Side, Side,
+        [&](vtkPenumbraRayCaster* caster) { tolerance = caster->GetTolerance(); });
+      const Answer reference = Cast(renderer, Side, Side, [](vtkPenumbraRayCaster* caster) {
+        caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
+        caster->SetUniformSamples(64);
+      });
+      int above = 0;
+      const int wrong = CountWrongTiles(answer, reference, tolerance, above);
+      EXPECT_EQ(wrong, 0);
+      EXPECT_LE(above, 0);
+      EXPECT_LE(answer.RaysPerPixel, 5.0);
+    }
+  }
+}
+
+TEST(TextureFootprints, AverageStripesExactly)
+{
+  // In parallel projection, stripes of texels of a width that no pixel is a multiple of.
+  constexpr int texels = 150;
+  vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+  AddTexturedSquare(renderer, texels, false, [](int i, int) { return i % 3 == 0; })->SetScale(Side);
+  LookAtImage(renderer, Side, Side);
+  const Answer answer = Cast(renderer, Side, Side);
+  double squares = 0.0;
+  for (int i = 0; i < Side; ++i)
+  {
+    double expected = 0.0;
+    for (int texel = 0; texel < texels; texel += 3)
+    {
+      const double low = std::max<double>(i, static_cast<double>(texel) * Side / texels);
+      const double high = std::min<double>(i + 1, (texel + 1.0) * Side / texels);
+      expected += std::max(high - low, 0.0);
+    }
+    for (int j = 0; j < Side; ++j)
+    {
+      const double d = answer.Colors[static_cast<std::size_t>(j) * Side + i].g - expected;
+      squares += d * d;
+    }
+  }
+  EXPECT_LE(std::sqrt(squares / (Side * Side)), 1.0 / 256.0);
+  EXPECT_LE(answer.RaysPerPixel, 2.0);
+}
