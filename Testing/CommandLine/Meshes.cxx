@@ -32,6 +32,7 @@
 #include "vtkXMLUnstructuredGridWriter.h"
 
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <sstream>
 
@@ -150,6 +151,46 @@ void WriteGrids(const std::string& folder)
   Write<vtkXMLStructuredGridWriter>(structured, folder + "/box.vts");
 }
 
+}
+
+namespace
+{
+
+std::string Chunk(std::uint16_t id, const std::string& contents)
+{
+  const auto length = static_cast<std::uint32_t>(contents.size() + 6);
+  return std::string(reinterpret_cast<const char*>(&id), 2) +
+    std::string(reinterpret_cast<const char*>(&length), 4) + contents;
+}
+
+std::string Words(const std::vector<std::uint16_t>& words)
+{
+  return std::string(reinterpret_cast<const char*>(words.data()), 2 * words.size());
+}
+
+std::string Floats(const std::vector<float>& values)
+{
+  return std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
+}
+
+}
+
+std::string Make3ds()
+{
+  const std::string end(1, '\0');
+  const std::string name = "red" + end;
+  const auto color = [](char r, char g, char b) { return Chunk(0x0011, std::string({ r, g, b })); };
+  const std::string material = Chunk(0xafff,
+    Chunk(0xa000, name) + Chunk(0xa010, color(0, 0, 0)) +
+      Chunk(0xa020, color(static_cast<char>(200), 20, 30)) + Chunk(0xa030, color(-1, -1, -1)));
+  const std::string points =
+    Chunk(0x4110, Words({ 4 }) + Floats({ 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0 }));
+  const std::string faces =
+    Chunk(0x4120, Words({ 2, 0, 1, 2, 7, 0, 2, 3, 7 }) + Chunk(0x4130, name + Words({ 2, 0, 1 })));
+  const std::string object = Chunk(0x4000, "square" + end + Chunk(0x4100, points + faces));
+  const std::string camera = Chunk(
+    0x4000, "view" + end + Chunk(0x4700, Floats({ 0.5f, 0.5f, 6.f, 0.5f, 0.5f, 0.f, 0.f, 50.f })));
+  return Chunk(0x4d4d, Chunk(0x3d3d, material + object + camera));
 }
 
 std::string SquareStl()

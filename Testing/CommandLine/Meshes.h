@@ -14,6 +14,9 @@ namespace penumbra_testing
 /// A square of side 2 centered at the origin, at z = 0, facing +z: ASCII STL.
 std::string SquareStl();
 
+/// A red square from 0 to 1 at z = 0 with a camera: 3DS.
+std::string Make3ds();
+
 /// A sphere of radius 0.5 in `folder`: .stl .ply .obj .vtp .vtk .vtu .vts .vti .vtr .vtm .off
 /// .gltf, ... Returns the names of the files.
 std::vector<std::string> WriteSpheres(const std::string& folder);

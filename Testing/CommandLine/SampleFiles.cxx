@@ -258,11 +258,20 @@ std::vector<SampleFile> WriteSampleFiles(const std::string& folder)
   WriteText(folder + "/a.geo",
     "title\nmore\nnode id assign\nelement id assign\npart\n1\nonly\ncoordinates\n4\n0.0\n1.0\n0.0\n"
     "0.0\n0.0\n0.0\n1.0\n0.0\n0.0\n0.0\n0.0\n1.0\ntetra4\n1\n1 2 3 4\n");
+  WriteText(folder + "/square.3ds", Make3ds());
+  WriteText(folder + "/box.wrl",
+    "#VRML V2.0 utf8\nTransform { translation 0.5 0.5 0 children [ Shape {\n"
+    "appearance Appearance { material Material { diffuseColor 0.1 0.3 0.9 } }\n"
+    "geometry IndexedFaceSet { coord Coordinate { point [ 0 0 0, 1 0 0, 1 1 0 ] }\n"
+    "coordIndex [ 0, 1, 2, -1 ] } } ] }\n");
+  WriteText(
+    folder + "/red.obj", "mtllib red.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
+  WriteText(folder + "/red.mtl", "newmtl red\nKd 0.9 0.1 0.1\nKs 0.5 0.5 0.5\nNs 20\nd 0.5\n");
   WriteGlb(folder);
   WriteFoam(folder);
   WriteWithVTK(folder);
   for (const char* name : { "a.case", "sphere.glb", "p.pvtp", "u.pvtu", "i.pvti", "s.pvts",
-         "r.pvtr", "d.vtpd", "sphere.vtkhdf", "box.mha", "box.nii" })
+         "r.pvtr", "d.vtpd", "sphere.vtkhdf", "box.mha", "box.nii", "square.3ds", "box.wrl" })
   {
     if (std::filesystem::exists(folder + "/" + name))
     {
@@ -270,6 +279,7 @@ std::vector<SampleFile> WriteSampleFiles(const std::string& folder)
     }
   }
   samples.push_back({ "a.geo", "a.case" });
+  samples.push_back({ "red.mtl", "red.obj" });
   samples.push_back({ "sphere.bin", "sphere.gltf" });
   for (const char* name : { "points", "faces", "owner", "boundary" })
   {

@@ -97,7 +97,8 @@ INSTANTIATE_TEST_SUITE_P(Formats, DamagedFiles,
     "sphere.vtk", "sphere.off", "sphere.gltf", "sphere.glb", "sphere.vtu", "sphere.vtm", "box.vti",
     "box.vtr", "box.vts", "p.pvtp", "u.pvtu", "i.pvti", "s.pvts", "r.pvtr", "d.vtpd", "a.vtpc",
     "sphere.vtkhdf", "box.mha", "box.nii", "a.nrrd", "a.slc", "a.pts", "a.inp", "a.tec", "a.byu",
-    "a.facet", "a.neu", "a.cas", "a.xdmf", "a.case", "a.geo", "constant/polyMesh/points"),
+    "a.facet", "a.neu", "a.cas", "a.xdmf", "a.case", "a.geo", "constant/polyMesh/points",
+    "square.3ds", "box.wrl", "red.mtl"),
   NameOfTest);
 
 }

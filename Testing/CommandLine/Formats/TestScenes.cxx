@@ -4,6 +4,7 @@
 // Materials, textures, colors, lights and cameras of files. The reference is VTK's rasterizer with
 // the importer's scene, with 16 samples per pixel.
 #include "GltfDocument.h"
+#include "Meshes.h"
 #include "Program.h"
 #include "RenderedImages.h"
 
@@ -23,8 +24,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 
 using namespace penumbra_testing;
 
@@ -397,37 +396,6 @@ TEST(ObjScenes, ColorsOfVerticesAreShown)
   EXPECT_NEAR(color[0], 0.2, 0.01);
   EXPECT_NEAR(color[1], 0.6, 0.01);
   EXPECT_NEAR(color[2], 0.4, 0.01);
-}
-
-std::string Chunk(std::uint16_t id, const std::string& contents)
-{
-  const auto length = static_cast<std::uint32_t>(contents.size() + 6);
-  return std::string(reinterpret_cast<const char*>(&id), 2) +
-    std::string(reinterpret_cast<const char*>(&length), 4) + contents;
-}
-
-std::string Words(const std::vector<std::uint16_t>& words)
-{
-  return std::string(reinterpret_cast<const char*>(words.data()), 2 * words.size());
-}
-
-/// A red square with a camera.
-std::string Make3ds()
-{
-  const std::string end(1, '\0');
-  const std::string name = "red" + end;
-  const auto color = [](char r, char g, char b) { return Chunk(0x0011, std::string({ r, g, b })); };
-  const std::string material = Chunk(0xafff,
-    Chunk(0xa000, name) + Chunk(0xa010, color(0, 0, 0)) +
-      Chunk(0xa020, color(static_cast<char>(200), 20, 30)) + Chunk(0xa030, color(-1, -1, -1)));
-  const std::string points =
-    Chunk(0x4110, Words({ 4 }) + Floats({ 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0 }));
-  const std::string faces =
-    Chunk(0x4120, Words({ 2, 0, 1, 2, 7, 0, 2, 3, 7 }) + Chunk(0x4130, name + Words({ 2, 0, 1 })));
-  const std::string object = Chunk(0x4000, "square" + end + Chunk(0x4100, points + faces));
-  const std::string camera = Chunk(
-    0x4000, "view" + end + Chunk(0x4700, Floats({ 0.5f, 0.5f, 6.f, 0.5f, 0.5f, 0.f, 0.f, 50.f })));
-  return Chunk(0x4d4d, Chunk(0x3d3d, material + object + camera));
 }
 
 TEST(OtherScenes, Materials3dsMatchVTK)
