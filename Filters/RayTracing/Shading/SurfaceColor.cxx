@@ -23,6 +23,10 @@ glm::vec4 ToFloatColor(glm::u8vec4 color)
 /// Maps a texel index into [0, size).
 int WrapIndex(int i, int size, Texture::WrapModes wrap)
 {
+  if (i >= 0 && i < size)
+  {
+    return i; // divisions take most of the time
+  }
   const auto modulo = [](int x, int n) { return x % n < 0 ? x % n + n : x % n; };
   switch (wrap)
   {
