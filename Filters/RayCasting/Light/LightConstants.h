@@ -39,10 +39,13 @@ constexpr float PartVarianceGain = 0.125f;
 /// Number of rays of a site: first round and maximum, powers of two.
 constexpr int FirstSiteRays = 8;
 constexpr int MaximumSiteRays = 1024;
-/// Number of rounds after the first.
-constexpr int LightRounds = 3;
+/// Number of rounds after the first, and largest factor by which the number of rays grows in each.
+constexpr int LightRounds = 4;
+constexpr float LargestRayGrowth = 4.f;
+/// Number of occlusion rays from each hit of a camera ray in these rounds, where a pixel has one site.
+constexpr std::uint32_t RaysOfHit = 4;
 /// More rays are traced where the estimated error exceeds this fraction of the tolerance.
-constexpr float LightErrorMargin = 0.9f;
+constexpr float LightErrorMargin = 0.75f;
 
 // --- Regression ---
 
@@ -60,20 +63,25 @@ constexpr float PositionUnit = 1.5f;
 constexpr float NormalUnit = 0.5f;
 /// Weight of the expectation that the value does not change, in rays.
 constexpr float RidgeRays = 6.f;
-/// Level whose patches average the estimated bias.
+/// Level whose patches average the estimated bias; and number of their blocks, on each side, of the
+/// region whose ratios between levels are expected in a patch.
 constexpr int BiasLevel = 3;
-/// Squared change from a level to the next, relative to that of the next: expected range.
+constexpr int BiasRegion = 3;
+/// Squared change from a level to the next, relative to that of the next: expected range in a region.
 constexpr float SmallestBiasRatio = 0.0625f;
 constexpr float LargestBiasRatio = 0.5f;
 /// Part of the standard error of such a change that is added to it, because the level with the smallest
 /// estimated error is chosen.
-constexpr float BiasCaution = 0.5f;
+constexpr float BiasCaution = 1.f;
+/// Additional bias of sites that cover a small part of their pixels, relative to that of others.
+constexpr float PartialSiteBias = 6.f;
 /// Lower bound of the estimated squared error.
 constexpr float SmallestSquaredError = 1e-8f;
 /// Variance of a site that is estimated alone, relative to that of independent rays.
-constexpr float AloneVarianceGain = 0.9f;
-/// Variance relative to that of independent rays, which strata over the window reduce.
-constexpr float WindowVarianceGain = 0.7f;
+constexpr float AloneVarianceGain = 0.8f;
+/// Variance relative to that of independent rays, which strata over the window, the blending of windows and
+/// that of levels reduce.
+constexpr float WindowVarianceGain = 0.5f;
 
 }
 #endif

@@ -21,7 +21,7 @@ float Square(float x)
 
 } // namespace
 
-void LightPatch::Add(const LightSite& site)
+void LightPatch::Add(const LightSite& site, float part)
 {
   LightPatch single;
   float inverse = 0.f;
@@ -34,7 +34,8 @@ void LightPatch::Add(const LightSite& site)
   }
   single.SquaredWeight = single.Weight;
   single.Sites = 1.f;
-  single.Variance = Square(single.Means[0] - single.Means[1]) / inverse;
+  single.Parts = part;
+  single.Variance = part * Square(single.Means[0] - single.Means[1]) / inverse;
   single.Footprint = site.Footprint;
   single.Layer = site.Layer;
   single.Mean = { site.Position, site.Normal };
@@ -77,6 +78,7 @@ void LightPatch::Add(const LightPatch& other, float weight)
   this->Weight = sum;
   this->SquaredWeight += weight * weight * other.SquaredWeight;
   this->Sites += weight * other.Sites;
+  this->Parts += weight * other.Parts;
   this->Variance += weight * other.Variance;
   this->Footprint = std::max(this->Footprint, other.Footprint);
   this->Layer = other.Layer;

@@ -21,7 +21,8 @@ struct LightPatch
   float Weight = 0.f;        ///< in rays
   float SquaredWeight = 0.f; ///< sum of w^2 times rays, where w is the weight of the window
   float Sites = 0.f;         ///< number of sites, weighted
-  float Variance = 0.f;      ///< sum over the sites of the variance of a ray
+  float Parts = 0.f;         ///< sum of the parts of the pixels that they cover, weighted
+  float Variance = 0.f;      ///< sum over these parts of the variance of a ray
   float Footprint = 0.f;     ///< largest
   std::uint16_t Layer = 0;
   LightFeatures Mean{};
@@ -29,12 +30,13 @@ struct LightPatch
   float Moments[Products] = {}; ///< of features, upper triangle row by row
   float Cross[Halves][LightFeatures::Count] = {};
 
-  void Add(const LightSite& site);
+  /// Adds a site that covers `part` of its pixel.
+  void Add(const LightSite& site, float part);
   /// Adds another patch with all weights multiplied by `weight`.
   void Add(const LightPatch& other, float weight);
 
   /// Returns the variance of a ray. If all rays agree, the next one may still differ.
-  float GetVariance() const { return this->Variance / this->Sites + 1.f / this->Weight; }
+  float GetVariance() const { return this->Variance / this->Parts + 1.f / this->Weight; }
 
   /// Returns true if the patches may be parts of one surface.
   bool Matches(const LightPatch& other) const;

@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -46,6 +47,13 @@ struct LightPixel
   bool IsComplex = false;                        ///< has several sites, or also shows others
   std::uint16_t Traced = FirstSiteRays / Halves; ///< samples of each half that are followed by rays
   std::uint16_t Target = FirstSiteRays / Halves; ///< number that there should be
+
+  /// Returns the part of the pixel that a site covers.
+  float GetPart(const LightSite& site) const
+  {
+    const auto samples = static_cast<float>(this->Samples[0] + this->Samples[1]);
+    return this->IsComplex ? std::min(site.Samples / samples, 1.f) : 1.f;
+  }
 };
 
 /// Position and normal of a site.

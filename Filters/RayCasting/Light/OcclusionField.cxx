@@ -118,61 +118,47 @@ public:
   }
 
 private:
-  // The errors above a level are reduced to it. It is chosen so that the mean of the squares becomes
-  // `limit`.
+  // The numbers of rays of all pixels of a tile grow alike: neighbors share their rays, and the bias of
+  // joined estimates decreases only if all of them have more.
   bool IncreaseTile(glm::ivec2 first, float limit)
   {
-    constexpr int Pixels = LightTileSide * LightTileSide;
     const Camera& camera = this->Tracer.GetScene().ViewCamera;
-    const glm::ivec2 size = glm::clamp(
-      glm::ivec2(camera.Width, camera.Height) - first, glm::ivec2(0), glm::ivec2(LightTileSide));
-    const float total = static_cast<float>(size.x * size.y) * limit; // of the pixels in the image
-    float squares[Pixels];
-    float sorted[Pixels];
+    const glm::ivec2 last =
+      glm::min(first + LightTileSide, glm::ivec2(camera.Width, camera.Height)) - first;
     float sum = 0.f;
-    for (int i = 0; i < Pixels; ++i)
+    for (int i = 0; i < last.x * last.y; ++i)
     {
-      squares[i] =
-        Square(this->Field.At(first.x + i % LightTileSide, first.y + i / LightTileSide).Error);
-      sum += squares[i];
+      sum += Square(this->Field.At(first.x + i % last.x, first.y + i / last.x).Error);
     }
-    if (sum <= total)
+    const float excess = sum / (static_cast<float>(last.x * last.y) * limit);
+    if (excess <= 1.f)
     {
       return false;
     }
-    std::copy(squares, squares + Pixels, sorted);
-    std::sort(sorted, sorted + Pixels);
-    float level = sorted[Pixels - 1];
-    float below = sum;
-    for (int i = Pixels - 1; i >= 0; --i)
-    {
-      below -= sorted[i];
-      level = (total - below) / static_cast<float>(Pixels - i);
-      if (level >= (i > 0 ? sorted[i - 1] : 0.f))
-      {
-        break;
-      }
-    }
     bool isIncreased = false;
-    for (int i = 0; i < Pixels; ++i)
+    for (int i = 0; i < last.x * last.y; ++i)
     {
       LightPixel& pixel =
-        this->Grid
-          .Pixels[this->Grid.GetCell(first.x + i % LightTileSide, first.y + i / LightTileSide)];
-      int target = pixel.Target;
-      float excess = squares[i] / std::max(level, 1e-12f);
-      if (excess > 1.f && target < MaximumSiteRays / Halves)
+        this->Grid.Pixels[this->Grid.GetCell(first.x + i % last.x, first.y + i / last.x)];
+      if (pixel.Sites > 0 && pixel.Target < MaximumSiteRays / Halves)
       {
-        for (; excess > 2.f && target < MaximumSiteRays / Halves; excess /= 2.f)
-        {
-          target *= 2;
-        }
-        target += excess > 1.5f ? target : target / 2;
-        pixel.Target = static_cast<std::uint16_t>(std::min(target, MaximumSiteRays / Halves));
+        pixel.Target = static_cast<std::uint16_t>(Grow(pixel.Target, excess));
         isIncreased = true;
       }
     }
     return isIncreased;
+  }
+
+  /// Multiplies a number of rays, 2^k or 1.5 x 2^k, by `factor` or a little more, but at most by
+  /// LargestRayGrowth.
+  static int Grow(int rays, float factor)
+  {
+    const float wanted = static_cast<float>(rays) * std::min(factor, LargestRayGrowth);
+    while (static_cast<float>(rays) < wanted && rays < MaximumSiteRays / Halves)
+    {
+      rays += (rays & (rays - 1)) == 0 ? rays / 2 : rays / 3;
+    }
+    return rays;
   }
 
   glm::ivec2 GetFirst(int tile) const

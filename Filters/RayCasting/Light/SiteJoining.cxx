@@ -121,24 +121,65 @@ private:
   {
     float Values[LightLevels][Halves];
     float Variances[LightLevels + 1]; ///< the first one: of the sites alone
+    float SiteWeight = 0.f;
     float SiteChanges =
-      0.f; ///< sum of the products of the changes from the sites to the first level
+      0.f; ///< weighted sum of the products of the changes from the sites to the first level
   };
-  /// Squared changes of the estimates of a patch between levels.
+  /// Squared changes of the estimates of a patch between levels; the first one: from the sites alone.
   struct Changes
   {
-    float Count = 0.f;
+    float Weights[LightLevels] = {}; ///< in pixels
     float Sums[LightLevels] = {};
     float Variances[LightLevels] = {};
 
     void Add(const Changes& other, float weight)
     {
-      this->Count += weight * other.Count;
       for (int i = 0; i < LightLevels; ++i)
       {
+        this->Weights[i] += weight * other.Weights[i];
         this->Sums[i] += weight * other.Sums[i];
         this->Variances[i] += weight * other.Variances[i];
       }
+    }
+  };
+
+  /// Estimated squared change from each level to the next; after PoolBias(): from the sites alone.
+  struct PatchBias
+  {
+    float Squares[LightLevels] = {};
+
+    PatchBias() = default;
+
+    /// The change that was found is weighed against the one that is expected from that between the next
+    /// coarser levels: in the ratio of a region, if given.
+    PatchBias(const Changes& changes, const PatchBias* region)
+    {
+      for (int l = LightLevels - 1; l >= 0; --l)
+      {
+        const float found = changes.Sums[l] / changes.Weights[l];
+        const float units = changes.Weights[l] / static_cast<float>(l == 0 ? 1 : 4 << (2 * l - 2));
+        const float noise = 2.f * changes.Variances[l] / changes.Weights[l] / std::sqrt(units);
+        const float expected = this->Expect(l, region);
+        const float spread = std::max(expected, found - noise);
+        const float certainty = Square(spread) / (Square(spread) + Square(noise) + 1e-20f);
+        this->Squares[l] = std::max(expected + certainty * (found - expected), 0.f) +
+          BiasCaution * std::sqrt(certainty) * noise;
+      }
+    }
+
+  private:
+    float Expect(int level, const PatchBias* region) const
+    {
+      if (level + 1 == LightLevels)
+      {
+        return 0.f;
+      }
+      const float* const squares = region ? region->Squares + level : this->Squares + level + 1;
+      const bool isKnown = (region || level + 2 < LightLevels) && squares[1] > 0.f;
+      const float ratio = isKnown
+        ? std::clamp(squares[0] / squares[1], region ? 0.f : SmallestBiasRatio, LargestBiasRatio)
+        : LargestBiasRatio;
+      return ratio * this->Squares[level + 1];
     }
   };
 
@@ -191,7 +232,7 @@ private:
         for (std::uint32_t k = pixel.Begin; k < pixel.Begin + pixel.Sites; ++k)
         {
           Patch part;
-          part.Add(this->Grid.Sites[k]);
+          part.Add(this->Grid.Sites[k], pixel.GetPart(this->Grid.Sites[k]));
           this->Grid.Sites[k].Patch = AddPart(patches, part);
         }
       }
@@ -319,13 +360,14 @@ private:
       {
         const Patch& pool = level.Patches[parent];
         estimates.Variances[0] =
-          AloneVarianceGain * pool.GetVariance() * patch.Sites / patch.Weight;
+          AloneVarianceGain * pool.GetVariance() * patch.Parts / patch.Weight;
       }
       parent = l + 1 < LightLevels ? level.Parents[parent] : parent;
     }
   }
 
-  /// Compares the sites of a block of the first level with its models.
+  /// Compares the sites of a block of the first level with its models. A site has an effect on its pixel, and
+  /// a number of rays, in proportion to the part that it covers.
   void CompareSites(int block)
   {
     const Level& level = this->Levels[0];
@@ -345,7 +387,10 @@ private:
           level.Models[blend.Patches[n]].Evaluate(
             { site.Position, site.Normal }, blend.Weights[n], values);
         }
-        this->Estimates[site.Patch].SiteChanges +=
+        const float weight = Square(pixel.GetPart(site));
+        PatchEstimates& estimates = this->Estimates[site.Patch];
+        estimates.SiteWeight += weight;
+        estimates.SiteChanges += weight *
           (site.Sums[0] / static_cast<float>(site.Rays[0]) - values[0]) *
           (site.Sums[1] / static_cast<float>(site.Rays[1]) - values[1]);
       }
@@ -369,67 +414,91 @@ private:
     {
       Changes& changes = own[this->FindBiasPatch(p)];
       const PatchEstimates& estimates = this->Estimates[p];
-      const float sites = this->Levels[0].Patches[p].Sites;
-      changes.Count += sites;
+      const float parts = this->Levels[0].Patches[p].Parts;
+      changes.Weights[0] += estimates.SiteWeight;
       changes.Sums[0] += estimates.SiteChanges;
-      changes.Variances[0] += sites * estimates.Variances[0];
+      changes.Variances[0] += estimates.SiteWeight * estimates.Variances[0];
       for (int l = 1; l < LightLevels; ++l)
       {
-        changes.Sums[l] += sites * (estimates.Values[l][0] - estimates.Values[l - 1][0]) *
+        changes.Weights[l] += parts;
+        changes.Sums[l] += parts * (estimates.Values[l][0] - estimates.Values[l - 1][0]) *
           (estimates.Values[l][1] - estimates.Values[l - 1][1]);
-        changes.Variances[l] += sites * estimates.Variances[l];
+        changes.Variances[l] += parts * estimates.Variances[l];
       }
     }
+    const std::vector<Changes> regions = SumRegions(level, own);
     this->Bias.resize(own.size());
-    ParallelFor<std::size_t>(0, own.size(), 64, [&](std::size_t p) {
-      Changes sum;
-      for (int i = 0; i < Neighbors; ++i)
+    ParallelFor(0, level.GetNumberOfBlocks(), 16, [&](int block) {
+      if (level.Begin[block] == level.Begin[block + 1])
       {
-        const std::uint32_t other = level.Windows[p].Patches[i];
-        if (other != None)
-        {
-          sum.Add(own[other], (i % 3 == 1 ? 1.f : 0.5f) * (i / 3 == 1 ? 1.f : 0.5f));
-        }
+        return;
       }
-      float* const squares = this->Bias[p].Squares;
-      for (int l = LightLevels - 1; l >= 0; --l)
+      const PatchBias region(regions[block], nullptr);
+      for (std::uint32_t p = level.Begin[block]; p < level.Begin[block + 1]; ++p)
       {
-        const float found = sum.Sums[l] / sum.Count;
-        const float units = sum.Count / static_cast<float>(l == 0 ? 1 : 4 << (2 * l - 2));
-        const float noise = 2.f * sum.Variances[l] / sum.Count / std::sqrt(units);
-        float expected = 0.f;
-        if (l + 1 < LightLevels)
+        Changes sum;
+        for (int i = 0; i < Neighbors; ++i)
         {
-          const float ratio = l + 2 < LightLevels && squares[l + 2] > 0.f
-            ? std::clamp(squares[l + 1] / squares[l + 2], SmallestBiasRatio, LargestBiasRatio)
-            : LargestBiasRatio;
-          expected = ratio * squares[l + 1];
+          const std::uint32_t other = level.Windows[p].Patches[i];
+          if (other != None)
+          {
+            sum.Add(own[other], (i % 3 == 1 ? 1.f : 0.5f) * (i / 3 == 1 ? 1.f : 0.5f));
+          }
         }
-        const float spread = std::max(expected, found);
-        const float certainty = Square(spread) / (Square(spread) + Square(noise) + 1e-20f);
-        squares[l] = std::max(expected + certainty * (found - expected), 0.f) +
-          BiasCaution * std::sqrt(certainty) * noise;
-      }
-      for (int l = 1; l < LightLevels; ++l)
-      {
-        this->Bias[p].Squares[l] += this->Bias[p].Squares[l - 1];
+        this->Bias[p] = PatchBias(sum, &region);
+        for (int l = 1; l < LightLevels; ++l)
+        {
+          this->Bias[p].Squares[l] += this->Bias[p].Squares[l - 1];
+        }
       }
     });
+  }
+
+  /// Returns the sums over the blocks around each block, of all surfaces.
+  static std::vector<Changes> SumRegions(const Level& level, const std::vector<Changes>& patches)
+  {
+    std::vector<Changes> sums(level.GetNumberOfBlocks());
+    for (std::size_t block = 0; block < sums.size(); ++block)
+    {
+      for (std::uint32_t p = level.Begin[block]; p < level.Begin[block + 1]; ++p)
+      {
+        sums[block].Add(patches[p], 1.f);
+      }
+    }
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const std::vector<Changes> single = sums;
+      const int stride = axis == 0 ? 1 : level.Blocks.x;
+      ParallelFor(0, level.GetNumberOfBlocks(), 64, [&](int block) {
+        const int at = axis == 0 ? block % level.Blocks.x : block / level.Blocks.x;
+        const int first = std::max(at - BiasRegion, 0);
+        const int last = std::min(at + BiasRegion, level.Blocks[axis] - 1);
+        sums[block] = Changes();
+        for (int i = first; i <= last; ++i)
+        {
+          sums[block].Add(single[block + (i - at) * stride], 1.f);
+        }
+      });
+    }
+    return sums;
   }
 
   void Combine(std::uint32_t p)
   {
     const PatchEstimates& estimates = this->Estimates[p];
     const Blend pool(this->Levels[BiasLevel - 1], this->FindBiasPatch(p), this->Cells[p]);
+    const Patch& patch = this->Levels[0].Patches[p];
+    const float part = patch.Parts / patch.Sites;
+    const float factor = 1.f + PartialSiteBias * (1.f - part);
     float errors[LightLevels + 1];
     float weights[LightLevels + 1];
     float smallest = std::numeric_limits<float>::max();
     for (int l = 0; l <= LightLevels; ++l)
     {
-      errors[l] = estimates.Variances[l];
+      errors[l] = estimates.Variances[l] / (l == 0 ? part : 1.f);
       for (int k = 0; l > 0 && k < pool.Count; ++k)
       {
-        errors[l] += pool.Weights[k] * this->Bias[pool.Patches[k]].Squares[l - 1];
+        errors[l] += factor * pool.Weights[k] * this->Bias[pool.Patches[k]].Squares[l - 1];
       }
       errors[l] = std::max(errors[l], SmallestSquaredError);
       smallest = std::min(smallest, errors[l]);
@@ -441,7 +510,7 @@ private:
       sum += weights[l];
     }
     SitePatch& result = this->Grid.Patches[p];
-    result.Mean = this->Levels[0].Patches[p].Mean;
+    result.Mean = patch.Mean;
     result.AloneWeight = weights[0] / sum;
     result.SquaredError = result.AloneWeight * errors[0];
     std::uint32_t parent = p;
@@ -468,10 +537,6 @@ private:
   std::vector<glm::u8vec2> Cells; ///< per patch of the first level: first cell
                                   ///< of its block, in its tile
   std::vector<PatchEstimates> Estimates;
-  struct PatchBias
-  {
-    float Squares[LightLevels];
-  };
   std::vector<PatchBias> Bias;
   Level Levels[LightLevels];
 };
@@ -481,8 +546,8 @@ private:
 int GetJoiningReach()
 {
   // Models of adjacent blocks, each fitted in a window of three blocks; and the bias, which averages
-  // changes of such models in the same way.
-  return (3 << LightLevels) + (3 << BiasLevel);
+  // changes of such models in the regions of adjacent blocks.
+  return (3 << LightLevels) + ((2 + BiasRegion) << BiasLevel);
 }
 
 void JoinSites(SiteGrid& grid)

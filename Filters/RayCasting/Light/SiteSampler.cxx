@@ -91,7 +91,7 @@ void SiteSampler::Begin(glm::ivec2 first)
 }
 
 // The points of a pixel are consecutive points of the sequence of the block, those of all its pixels one
-// net.
+// net. The same holds for the directions.
 void SiteSampler::AddRequests(
   int cell, std::uint32_t before, std::uint32_t from, std::uint32_t to, std::uint32_t added)
 {
@@ -102,11 +102,14 @@ void SiteSampler::AddRequests(
     return;
   }
   const bool isShaded = before == 0 || this->Pixels[cell].IsComplex;
-  for (std::uint32_t i = from; i < to; ++i)
+  const std::uint32_t rays = isShaded || added % RaysOfHit != 0 ? 1 : RaysOfHit;
+  for (std::uint32_t i = from; i < to; i += rays)
   {
     for (int half = 0; half < Halves; ++half)
     {
-      this->Requests.push_back({ cell, half, Cells * before + cell * added + i, true, isShaded });
+      const std::uint32_t first = Cells * before;
+      this->Requests.push_back({ cell, half, first + (cell * added + i) / rays,
+        first + cell * added + i, rays, isShaded });
     }
   }
 }
@@ -140,8 +143,8 @@ void SiteSampler::FindSites(glm::ivec2 first)
     this->Pixels[cell].IsComplex = this->IsComplex(cell);
     for (std::uint32_t i = 0; i < PartSamples && this->Pixels[cell].IsComplex; ++i)
     {
-      this->Requests.push_back({ cell, static_cast<int>(i % Halves),
-        FirstPartIndex + (cell * PartSamples + i) / Halves, false, true });
+      const std::uint32_t index = FirstPartIndex + (cell * PartSamples + i) / Halves;
+      this->Requests.push_back({ cell, static_cast<int>(i % Halves), index, index, 0, true });
     }
   }
   this->TraceRequests(true);
@@ -245,10 +248,8 @@ void SiteSampler::AddLayer(
   const auto index = static_cast<std::size_t>(site - sites.data());
   for (int half = 0; half < Halves; ++half)
   {
-    if (isNew || (request.TracesOcclusion && half == request.Half))
-    {
-      this->QueueRay(request.Cell, index, half, request.Index, layer);
-    }
+    const std::uint32_t rays = half == request.Half ? request.Rays : 0;
+    this->QueueRays(request, index, half, isNew ? std::max(rays, 1u) : rays, layer);
   }
 }
 
@@ -279,22 +280,32 @@ LightSite* SiteSampler::FindSite(
   return nearest;
 }
 
-void SiteSampler::QueueRay(
-  int cell, std::size_t site, int half, std::uint32_t index, const OccludedLayer& layer)
+void SiteSampler::QueueRays(const Request& request, std::size_t site, int half, std::uint32_t count,
+  const OccludedLayer& layer)
 {
-  const glm::vec2 at = MakeSequence(this->Seed, half, Directions)
-                         .At(OwenSobolSequence::ShuffleIndex(index, this->Seed + half));
-  const SurfaceNormals normals(layer.Normal, layer.Geometric);
-  Ray& ray = this->Rays[this->Count];
-  ray.Origin = layer.Position + RayOriginOffset(layer.Position) * layer.Geometric;
-  ray.Direction = normals.ReflectAbove(
-    FrameFromNormal(layer.Normal) * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
-  ray.Far = this->Source.GetRadius();
-  this->Owners[this->Count] = { cell, site, half };
-  ++this->LightRays;
-  if (++this->Count == OcclusionRays::PacketSize)
+  if (count == 0)
   {
-    this->Flush();
+    return;
+  }
+  const OwenSobolSequence sequence = MakeSequence(this->Seed, half, Directions);
+  const SurfaceNormals normals(layer.Normal, layer.Geometric);
+  const glm::mat3 frame = FrameFromNormal(layer.Normal);
+  const glm::vec3 origin = layer.Position + RayOriginOffset(layer.Position) * layer.Geometric;
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    const glm::vec2 at =
+      sequence.At(OwenSobolSequence::ShuffleIndex(request.FirstRay + i, this->Seed + half));
+    Ray& ray = this->Rays[this->Count];
+    ray.Origin = origin;
+    ray.Direction =
+      normals.ReflectAbove(frame * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
+    ray.Far = this->Source.GetRadius();
+    this->Owners[this->Count] = { request.Cell, site, half };
+    ++this->LightRays;
+    if (++this->Count == OcclusionRays::PacketSize)
+    {
+      this->Flush();
+    }
   }
 }
 

@@ -43,13 +43,14 @@ public:
   RayCounts Counts;
 
 private:
-  /// A camera ray, and whether an occlusion ray starts at its hits.
+  /// A camera ray, and the occlusion rays that start at its hits.
   struct Request
   {
     int Cell;
     int Half;
-    std::uint32_t Index; ///< in the sequences of the half
-    bool TracesOcclusion;
+    std::uint32_t Index;    ///< of its point, in the sequence of the half
+    std::uint32_t FirstRay; ///< indices of the directions, in the sequence of the half
+    std::uint32_t Rays;
     bool IsShaded; ///< its color counts
   };
 
@@ -62,8 +63,8 @@ private:
     const Request& request, const OccludedLayer& layer, std::uint16_t number, bool createsSites);
   LightSite* FindSite(
     int cell, const OccludedLayer& layer, std::uint16_t number, float footprint, bool mustFind);
-  void QueueRay(
-    int cell, std::size_t site, int half, std::uint32_t index, const OccludedLayer& layer);
+  void QueueRays(const Request& request, std::size_t site, int half, std::uint32_t count,
+    const OccludedLayer& layer);
   void Flush();
   bool IsComplex(int cell) const;
 
