@@ -27,9 +27,11 @@ vtkRenderer* RunImporter(vtkImporter* importer)
 std::vector<vtkSmartPointer<vtkActor>> GetActors(vtkRenderer* renderer)
 {
   std::vector<vtkSmartPointer<vtkActor>> actors;
+  // VTK 9.2 fills the collection again in each call.
+  vtkActorCollection* const collection = renderer->GetActors();
   vtkCollectionSimpleIterator cookie;
-  renderer->GetActors()->InitTraversal(cookie);
-  while (vtkActor* actor = renderer->GetActors()->GetNextActor(cookie))
+  collection->InitTraversal(cookie);
+  while (vtkActor* actor = collection->GetNextActor(cookie))
   {
     actors.emplace_back(actor);
   }

@@ -65,7 +65,8 @@ std::string NameOptions(std::string message)
     { "EnvironmentColor", "--environment-color" },
     { "Asymmetry", "--shafts-phase" },
     { "Bounds", "the bounds" },
-    { "vtkImageData", "an image" },
+    { "a vtkImageData", "an image" },
+    { "a vtkPolyData", "a polygonal mesh" },
   };
   for (const auto& [words, replacement] : rows)
   {

@@ -92,7 +92,7 @@ const Row Rows[] = {
   { "DensityOfTriangles", 2, Square, "stl",
     { "--light-shafts", "--light-position", "1,2,3,0", "--shafts-density",
       PENUMBRA_SOURCE_DIR "/Data/bracket.stl" },
-    { "--shafts-density", "vtkPolyData", "vtkImageData" } },
+    { "--shafts-density", "is a polygonal mesh, not an image" } },
   { "ScatteringBeyondExtinction", 2, Square, "stl",
     { "--light-shafts", "--shafts-scattering", "2", "--shafts-extinction", "1" },
     { "--shafts-extinction", "--shafts-scattering" } },
