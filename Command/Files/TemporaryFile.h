@@ -14,10 +14,14 @@
 namespace penumbra
 {
 
+/// Creates an empty file in the folder of temporary files and registers it with RemoveOnCrash().
+/// Returns its path; empty if it cannot be created.
+std::string CreateTemporaryFile(const std::string& extension);
+
 class TemporaryFile
 {
 public:
-  /// `path`: of a file that was registered with RemoveOnCrash(); empty: no file.
+  /// `path`: of a file that CreateTemporaryFile() created; empty: no file.
   explicit TemporaryFile(const std::string& path)
     : Path(path)
   {

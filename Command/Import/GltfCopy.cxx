@@ -4,9 +4,9 @@
 
 #include "Files/InputFiles.h"
 #include "Files/MappedFile.h"
+#include "Files/TemporaryFile.h"
 #include "GltfImages.h"
 #include "Processes/CommandError.h"
-#include "Processes/Worker.h"
 
 #include <nlohmann/json.hpp>
 
@@ -19,8 +19,6 @@
 #include <fstream>
 #include <set>
 #include <vector>
-
-#include <unistd.h>
 
 namespace penumbra
 {
@@ -431,15 +429,12 @@ private:
   {
     std::string text = this->Root.dump();
     text.resize((text.size() + 3) / 4 * 4, ' ');
-    std::string name = (std::filesystem::temp_directory_path() / "penumbra-XXXXXX.glb").string();
-    const int descriptor = mkstemps(&name[0], 4);
-    if (descriptor < 0)
+    const std::string name = CreateTemporaryFile(".glb");
+    if (name.empty())
     {
       this->Fail("no temporary file can be created in " +
         std::filesystem::temp_directory_path().string() + "; set TMPDIR to another folder");
     }
-    close(descriptor);
-    RemoveOnCrash(name);
     std::ofstream file(name, std::ios::binary);
     const auto padded = static_cast<std::uint32_t>((this->Joined.size() + 3) / 4 * 4);
     const auto length = static_cast<std::uint32_t>(28 + text.size() + padded);

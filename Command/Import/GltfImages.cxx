@@ -4,7 +4,6 @@
 
 #include "Files/TemporaryFile.h"
 #include "Processes/MessageLog.h"
-#include "Processes/Worker.h"
 
 #include "vtkImageData.h"
 #include "vtkJPEGReader.h"
@@ -16,8 +15,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-
-#include <unistd.h>
 
 namespace penumbra
 {
@@ -78,19 +75,15 @@ bool HasIntactChunks(const std::string& bytes)
 template <typename Reader>
 bool CanDecode(const std::string& bytes)
 {
-  std::string name = (std::filesystem::temp_directory_path() / "penumbra-XXXXXX").string();
-  const int descriptor = mkstemp(&name[0]);
-  if (descriptor < 0)
+  const TemporaryFile file(CreateTemporaryFile(""));
+  if (file.Path.empty())
   {
     return false;
   }
-  close(descriptor);
-  RemoveOnCrash(name);
-  const TemporaryFile file(name);
-  std::ofstream(name, std::ios::binary).write(bytes.data(), static_cast<long>(bytes.size()));
+  std::ofstream(file.Path, std::ios::binary).write(bytes.data(), static_cast<long>(bytes.size()));
   TakeErrors();
   vtkNew<Reader> reader;
-  reader->SetFileName(name.c_str());
+  reader->SetFileName(file.Path.c_str());
   reader->Update();
   return TakeErrors().empty() && reader->GetOutput()->GetNumberOfPoints() > 0 &&
     reader->GetOutput()->GetScalarPointer();
