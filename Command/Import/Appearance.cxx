@@ -4,10 +4,13 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCleanPolyData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
 
 namespace penumbra
 {
@@ -31,6 +34,18 @@ std::vector<vtkDataSet*> FindDataSets(vtkDataObject* data)
     found.push_back(single);
   }
   return found;
+}
+
+vtkSmartPointer<vtkPolyData> RemoveUnusedPoints(vtkPolyData* mesh)
+{
+  vtkNew<vtkCleanPolyData> compact;
+  compact->SetInputData(mesh);
+  compact->PointMergingOff();
+  compact->ConvertLinesToPointsOff();
+  compact->ConvertPolysToLinesOff();
+  compact->ConvertStripsToPolysOff();
+  compact->Update();
+  return compact->GetOutput();
 }
 
 }

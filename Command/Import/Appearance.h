@@ -15,6 +15,7 @@ class vtkCamera;
 class vtkDataObject;
 class vtkDataSet;
 class vtkLight;
+class vtkPolyData;
 
 namespace penumbra
 {
@@ -34,6 +35,9 @@ struct Appearance
 
 /// Returns the data sets of `data`, the leaves of composite data in order.
 std::vector<vtkDataSet*> FindDataSets(vtkDataObject* data);
+
+/// Returns `mesh` without the points that no cell uses.
+vtkSmartPointer<vtkPolyData> RemoveUnusedPoints(vtkPolyData* mesh);
 
 ///@{
 /// Read the appearance of a file whose surfaces are `data`, and return the data sets to which

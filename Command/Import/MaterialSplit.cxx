@@ -8,7 +8,6 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCleanPolyData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
@@ -50,14 +49,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh(vtkPolyData* whole, const Part& part)
     ids->InsertNextValue(part.Ids->GetId(i));
   }
   mesh->GetCellData()->AddArray(ids);
-  vtkNew<vtkCleanPolyData> compact;
-  compact->SetInputData(mesh);
-  compact->PointMergingOff();
-  compact->ConvertLinesToPointsOff();
-  compact->ConvertPolysToLinesOff();
-  compact->ConvertStripsToPolysOff();
-  compact->Update();
-  return compact->GetOutput();
+  return RemoveUnusedPoints(mesh);
 }
 
 }

@@ -16,7 +16,6 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellData.h"
-#include "vtkCleanPolyData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkGeometryFilter.h"
@@ -131,14 +130,7 @@ vtkSmartPointer<vtkPolyData> DropCells(vtkPolyData* mesh, const std::vector<bool
     }
   }
   kept->RemoveDeletedCells();
-  vtkNew<vtkCleanPolyData> compact;
-  compact->SetInputData(kept);
-  compact->PointMergingOff();
-  compact->ConvertLinesToPointsOff();
-  compact->ConvertPolysToLinesOff();
-  compact->ConvertStripsToPolysOff();
-  compact->Update();
-  return compact->GetOutput();
+  return RemoveUnusedPoints(kept);
 }
 
 /// Returns the distance of single-precision coordinates if it is a visible fraction of the bounds,
