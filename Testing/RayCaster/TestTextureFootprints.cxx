@@ -3,6 +3,7 @@
 //
 // A textured quad seen at grazing angles: tiles within the tolerance, and few rays. The references
 // are uniform rays and, for stripes, the exact mean over each pixel.
+#include "BruteForce/StratifiedReference.h"
 #include "Scenes/TestScene.h"
 #include "vtkPenumbraRayCaster.h"
 
@@ -28,7 +29,6 @@ namespace
 {
 
 constexpr int Side = 64;
-constexpr int Tile = 16;
 
 /// Adds the unit square with a texture of `texels` x `texels` colors, each black or white.
 vtkActor* AddTexturedSquare(
@@ -68,21 +68,10 @@ vtkActor* AddTexturedSquare(
 int CountWrongTiles(const Answer& answer, const Answer& reference, double tolerance, int& above)
 {
   int wrong = 0;
-  for (int tile = 0; tile < (Side / Tile) * (Side / Tile); ++tile)
+  for (const TileAccuracy& tile : CompareTiles(answer, reference, Side))
   {
-    double squares = 0.0;
-    double estimates = 0.0;
-    for (int i = 0; i < Tile * Tile; ++i)
-    {
-      const int row = tile / (Side / Tile) * Tile + i / Tile;
-      const std::size_t at =
-        static_cast<std::size_t>(row) * Side + tile % (Side / Tile) * Tile + i % Tile;
-      const glm::dvec3 d = answer.Colors[at] - reference.Colors[at];
-      squares += glm::dot(d, d) / 3.0;
-      estimates += answer.Estimates[at] * answer.Estimates[at];
-    }
-    above += squares > tolerance * tolerance * Tile * Tile;
-    wrong += squares > tolerance * tolerance * Tile * Tile && estimates < squares;
+    above += tile.Error > tolerance;
+    wrong += tile.Error > tolerance && tile.Estimate < tile.Error;
   }
   return wrong;
 }

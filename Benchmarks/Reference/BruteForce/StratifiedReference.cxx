@@ -96,11 +96,16 @@ StratifiedReference DrawStratified(
   return reference;
 }
 
+namespace
+{
+
+/// Compares the tiles of an image; squaredErrorOf(i) returns that of a pixel.
+template <typename SquaredError>
 std::vector<TileAccuracy> CompareTiles(
-  const Answer& answer, const StratifiedReference& reference, int width)
+  const std::vector<double>& estimates, int width, const SquaredError& squaredErrorOf)
 {
   constexpr int Side = 16;
-  const int height = static_cast<int>(reference.Colors.size()) / width;
+  const int height = static_cast<int>(estimates.size()) / width;
   std::vector<TileAccuracy> tiles;
   for (int low = 0; low < height; low += Side)
   {
@@ -114,15 +119,33 @@ std::vector<TileAccuracy> CompareTiles(
         for (int x = left; x < std::min(left + Side, width); ++x, ++count)
         {
           const std::size_t i = static_cast<std::size_t>(y) * width + x;
-          const glm::dvec3 d = answer.Colors[i] * answer.Alphas[i] - reference.Colors[i];
-          error += glm::dot(d, d) / 3.0 - reference.SquaredErrors[i];
-          estimate += answer.Estimates[i] * answer.Estimates[i];
+          error += squaredErrorOf(i);
+          estimate += estimates[i] * estimates[i];
         }
       }
       tiles.push_back({ std::sqrt(std::max(error, 0.0) / count), std::sqrt(estimate / count) });
     }
   }
   return tiles;
+}
+
+}
+
+std::vector<TileAccuracy> CompareTiles(
+  const Answer& answer, const StratifiedReference& reference, int width)
+{
+  return CompareTiles(answer.Estimates, width, [&](std::size_t i) {
+    const glm::dvec3 d = answer.Colors[i] * answer.Alphas[i] - reference.Colors[i];
+    return glm::dot(d, d) / 3.0 - reference.SquaredErrors[i];
+  });
+}
+
+std::vector<TileAccuracy> CompareTiles(const Answer& answer, const Answer& exact, int width)
+{
+  return CompareTiles(answer.Estimates, width, [&](std::size_t i) {
+    const glm::dvec3 d = answer.Colors[i] - exact.Colors[i];
+    return glm::dot(d, d) / 3.0;
+  });
 }
 
 }

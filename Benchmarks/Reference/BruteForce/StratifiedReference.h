@@ -39,5 +39,8 @@ struct TileAccuracy
 std::vector<TileAccuracy> CompareTiles(
   const Answer& answer, const StratifiedReference& reference, int width);
 
+/// Compares the colors of all tiles of two images, of which the second one is taken as exact.
+std::vector<TileAccuracy> CompareTiles(const Answer& answer, const Answer& exact, int width);
+
 }
 #endif
