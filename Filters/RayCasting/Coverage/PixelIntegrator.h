@@ -75,7 +75,7 @@ public:
     const std::vector<char>& unsteady, const IntegrationSettings& settings);
 
   /// Sets the triangles of the tile, with which pixels full of edges are sampled; null: by rays.
-  /// `crowded`: the tile has so many edges that pixels without lines are sampled, too.
+  /// `crowded`: the tile has many edges; otherwise, only pixels with layers are sampled with them.
   void SetRasterizer(TileRasterizer* rasterizer, bool crowded)
   {
     this->Rasterizer = rasterizer;
@@ -174,6 +174,7 @@ private:
   glm::vec4 CompositeLayers(
     SampledPixel& pixel, glm::vec2 point, const LayerCandidate* begin, const LayerCandidate* end);
   void TraceSamples(SampledPixel& pixel, std::size_t total);
+  void ComputePoints(const SampledPixel& pixel, std::size_t before, std::size_t total);
   void RasterizeSamples(SampledPixel& pixel, std::size_t total);
   void GroupSamples();
   std::uint32_t FindTriangleColor(

@@ -90,9 +90,7 @@ bool PixelIntegrator::SelectLayers() const
 void PixelIntegrator::RasterizeLayers(SampledPixel& pixel, std::size_t total)
 {
   const std::size_t before = pixel.Samples.size();
-  const std::uint32_t seed = static_cast<std::uint32_t>(pixel.X) * 0x9e3779b1u ^
-    static_cast<std::uint32_t>(pixel.Y) * 0x85ebca77u;
-  this->Points.Compute(seed, static_cast<int>(before), static_cast<int>(total - before));
+  this->ComputePoints(pixel, before, total);
   pixel.Samples.resize(total);
   pixel.LayerColors.resize(this->Rasterizer->GetNumberOfLayers());
   this->Rasterizer->VisitLayers(

@@ -35,13 +35,20 @@ bool PixelIntegrator::MayRasterize(std::size_t edges) const
   return isOpaque ? isFull : (isFull || this->Rasterizer->HasLines()) && this->SelectLayers();
 }
 
+// Computes the samples [before, total) of a pixel.
+void PixelIntegrator::ComputePoints(
+  const SampledPixel& pixel, std::size_t before, std::size_t total)
+{
+  const std::uint32_t seed = static_cast<std::uint32_t>(pixel.X) * 0x9e3779b1u ^
+    static_cast<std::uint32_t>(pixel.Y) * 0x85ebca77u;
+  this->Points.Compute(seed, static_cast<int>(before), static_cast<int>(total - before));
+}
+
 // Finds the triangles at the samples of the selected pixel and adds their colors.
 void PixelIntegrator::RasterizeSamples(SampledPixel& pixel, std::size_t total)
 {
   const std::size_t before = pixel.SampleColors.size();
-  const std::uint32_t seed = static_cast<std::uint32_t>(pixel.X) * 0x9e3779b1u ^
-    static_cast<std::uint32_t>(pixel.Y) * 0x85ebca77u;
-  this->Points.Compute(seed, static_cast<int>(before), static_cast<int>(total - before));
+  this->ComputePoints(pixel, before, total);
   this->Rasterizer->Rasterize(this->Points, this->Visible);
   this->GroupSamples();
   pixel.SampleColors.resize(total);

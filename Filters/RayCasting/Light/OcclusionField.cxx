@@ -123,26 +123,26 @@ private:
   bool IncreaseTile(glm::ivec2 first, float limit)
   {
     const Camera& camera = this->Tracer.GetScene().ViewCamera;
-    const glm::ivec2 last =
+    const glm::ivec2 size =
       glm::min(first + LightTileSide, glm::ivec2(camera.Width, camera.Height)) - first;
     float sum = 0.f;
-    for (int i = 0; i < last.x * last.y; ++i)
+    for (int i = 0; i < size.x * size.y; ++i)
     {
-      sum += Square(this->Field.At(first.x + i % last.x, first.y + i / last.x).Error);
+      sum += Square(this->Field.At(first.x + i % size.x, first.y + i / size.x).Error);
     }
-    const float excess = sum / (static_cast<float>(last.x * last.y) * limit);
-    if (excess <= 1.f)
+    const float accepted = static_cast<float>(size.x * size.y) * limit;
+    if (sum <= accepted)
     {
       return false;
     }
     bool isIncreased = false;
-    for (int i = 0; i < last.x * last.y; ++i)
+    for (int i = 0; i < size.x * size.y; ++i)
     {
       LightPixel& pixel =
-        this->Grid.Pixels[this->Grid.GetCell(first.x + i % last.x, first.y + i / last.x)];
+        this->Grid.Pixels[this->Grid.GetCell(first.x + i % size.x, first.y + i / size.x)];
       if (pixel.Sites > 0 && pixel.Target < MaximumSiteRays / Halves)
       {
-        pixel.Target = static_cast<std::uint16_t>(Grow(pixel.Target, excess));
+        pixel.Target = static_cast<std::uint16_t>(Grow(pixel.Target, sum / accepted));
         isIncreased = true;
       }
     }

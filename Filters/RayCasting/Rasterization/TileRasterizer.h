@@ -56,7 +56,7 @@ public:
   void Rasterize(const SamplePoints& points, std::vector<std::uint32_t>& visible);
 
   /// Returns true if SelectPixel() returned false only because of translucent or textured surfaces, so that
-  /// FindLayers() decides what is visible.
+  /// VisitLayers() decides what is visible.
   bool HasLayers() const { return this->IsLayered; }
 
   /// Returns true if the selected pixel contains triangles of lines or points.
@@ -140,7 +140,7 @@ private:
   glm::ivec2 SelectedPixel{ -1 };
   double ReferenceKey = 0.0; ///< of the nearest triangle of the selected pixel
   bool IsComplex = false;    ///< rays must decide what is visible in the selected pixel
-  bool IsLayered = false;    ///< or FindLayers()
+  bool IsLayered = false;    ///< or VisitLayers()
   bool MayCoincide = false;  ///< two surfaces of the selected pixel may coincide
   std::vector<float> Nearest;
   std::vector<float> Errors;
