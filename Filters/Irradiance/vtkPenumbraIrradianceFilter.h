@@ -148,7 +148,8 @@ public:
   ///@{
   /**
    * If on, bake at cell centers, using cell normals, instead of at points. A cell of a volume gets
-   * the mean over those of its faces that are on the surface. Default: off.
+   * the mean over those of its faces that are on the surface, a triangle strip that of its triangles,
+   * weighted by area. Default: off.
    */
   vtkSetMacro(OnCells, bool);
   vtkGetMacro(OnCells, bool);

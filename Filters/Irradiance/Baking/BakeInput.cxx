@@ -4,6 +4,7 @@
 
 #include "Gathering/IrradianceConstants.h"
 #include "Geometry/SurfaceGeometry.h"
+#include "OccluderGeometry.h"
 #include "PointNormals.h"
 #include "Shading/HemisphereSampling.h"
 #include "Surface.h"
@@ -12,8 +13,8 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCell.h"
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -21,7 +22,6 @@
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
 #include "vtkSmartPointer.h"
-#include "vtkTriangleFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,11 +36,6 @@ namespace
 /// Number of sides of the disks that represent points.
 constexpr unsigned int DiscSides = 6;
 
-bool IsFinite(const double x[3])
-{
-  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-}
-
 void AddFinitePoints(vtkPolyData* mesh, vtkBoundingBox& bounds)
 {
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
@@ -52,103 +47,6 @@ void AddFinitePoints(vtkPolyData* mesh, vtkBoundingBox& bounds)
       bounds.AddPoint(x);
     }
   }
-}
-
-/// Returns the triangles of all polygons whose points are `finite`.
-std::vector<glm::uvec3> Triangulate(
-  vtkPolyData* mesh, const std::vector<char>& finite, const ProgressCallback& progress)
-{
-  vtkNew<vtkTriangleFilter> filter;
-  filter->SetInputData(mesh);
-  filter->PassLinesOff();
-  filter->PassVertsOff();
-  UpdateStoppably(filter, progress);
-  vtkCellArray* cells = filter->GetOutput()->GetPolys();
-  std::vector<glm::uvec3> triangles;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
-  {
-    cells->GetCellAtId(cell, ids);
-    if (ids->GetNumberOfIds() != 3)
-    {
-      continue;
-    }
-    const glm::uvec3 corners(ids->GetId(0), ids->GetId(1), ids->GetId(2));
-    if (finite[corners.x] && finite[corners.y] && finite[corners.z])
-    {
-      triangles.push_back(corners);
-    }
-  }
-  return triangles;
-}
-
-/// Adds spheres at the vertices or tubes along the lines of `mesh` to `scene`, with the given radius
-/// in world units.
-void AddRoundOccluders(vtkPolyData* mesh, bool tubes, double radius, Scene& scene)
-{
-  vtkCellArray* cells = tubes ? mesh->GetLines() : mesh->GetVerts();
-  if (!(radius > 0.0) || cells->GetNumberOfCells() == 0)
-  {
-    return;
-  }
-  Surface surface;
-  surface.Radii = { static_cast<float>(radius * scene.Scale) };
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
-  {
-    cells->GetCellAtId(cell, ids);
-    bool joins = false;
-    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
-    {
-      double x[3];
-      mesh->GetPoint(ids->GetId(k), x);
-      if (!IsFinite(x))
-      {
-        joins = false;
-        continue;
-      }
-      const auto index = static_cast<std::uint32_t>(surface.Positions.size());
-      surface.Positions.emplace_back(scene.FromWorld(x));
-      if (tubes && joins)
-      {
-        surface.Segments.emplace_back(index - 1, index);
-      }
-      joins = true;
-    }
-  }
-  if (tubes ? !surface.Segments.empty() : !surface.Positions.empty())
-  {
-    scene.Surfaces.push_back(std::move(surface));
-  }
-}
-
-/// Sets the opacity of the points of `surface` from an array of `data`. Returns false if the array
-/// is named but missing or invalid.
-bool SetOpacity(vtkPolyData* data, const std::string& name, Surface& surface)
-{
-  vtkDataArray* opacities = data->GetPointData()->GetArray(name.c_str());
-  if (name.empty() || !opacities || opacities->GetNumberOfComponents() != 1 ||
-    opacities->GetNumberOfTuples() != static_cast<vtkIdType>(surface.Positions.size()))
-  {
-    return name.empty();
-  }
-  for (vtkIdType i = 0; i < opacities->GetNumberOfTuples(); ++i)
-  {
-    const double opacity = opacities->GetComponent(i, 0);
-    if (!(opacity >= 0.0 && opacity <= 1.0))
-    {
-      surface.PointColors.clear();
-      return false;
-    }
-    surface.PointColors.emplace_back(255, 255, 255, std::lround(255.0 * opacity));
-  }
-  return true;
-}
-
-[[noreturn]] void RejectOpacityArray(const std::string& name, const std::string& where)
-{
-  throw std::runtime_error("OpacityArray: " + name + where +
-    " must be a point array with one component and values in [0, 1].");
 }
 
 /// Extracts occluders and query points from a data set.
@@ -338,37 +236,66 @@ private:
       {
         continue;
       }
-      glm::vec3 center(0.f);
-      bool finite = true;
-      const vtkIdType count = polygon->GetNumberOfPoints();
-      for (vtkIdType k = 0; k < count; ++k)
-      {
-        finite = finite && this->Finite[polygon->GetPointId(k)];
-        center += this->Positions[polygon->GetPointId(k)] / static_cast<float>(count);
-      }
-      if (!finite)
+      const vtkIdType* const ids = polygon->GetPointIds()->GetPointer(0);
+      const std::vector<vtkIdType> corners(ids, ids + polygon->GetNumberOfPoints());
+      const auto isFinite = [this](vtkIdType id) { return this->Finite[id] != 0; };
+      if (!std::all_of(corners.begin(), corners.end(), isFinite))
       {
         ++this->Result.NotFinite;
-        continue;
       }
-      double n[3];
-      vtkPolygon::ComputeNormal(polygon->GetPoints(), n);
-      const glm::vec3 normal(n[0], n[1], n[2]);
-      float size = 0.f;
-      for (vtkIdType k = 0; k < count; ++k)
+      else if (polygon->GetCellType() == VTK_TRIANGLE_STRIP)
       {
-        size = std::max(size, glm::distance(center, this->Positions[polygon->GetPointId(k)]));
+        this->AddStrip(cell, corners);
       }
-      if (normal != glm::vec3(0.f) && this->AddSite(cell, center, glm::normalize(normal), size))
+      else
       {
-        for (vtkIdType k = 0; k < count; ++k)
-        {
-          this->Result.Corners.push_back(static_cast<std::uint32_t>(polygon->GetPointId(k)));
-        }
-        this->EndCorners();
+        double n[3];
+        vtkPolygon::ComputeNormal(polygon->GetPoints(), n);
+        this->AddFace(cell, corners, { n[0], n[1], n[2] });
       }
     }
     this->CountUnused(this->Data->GetNumberOfCells());
+  }
+
+  /// Adds a query point for each triangle of a strip: the value of the strip is their mean, weighted
+  /// by area.
+  void AddStrip(vtkIdType cell, const std::vector<vtkIdType>& corners)
+  {
+    for (std::size_t i = 2; i < corners.size(); ++i)
+    {
+      const std::vector<vtkIdType> triangle = { corners[i - 2], corners[i - 1 + i % 2],
+        corners[i - i % 2] };
+      const glm::vec3 first = this->Positions[triangle[0]];
+      const glm::vec3 normal =
+        glm::cross(this->Positions[triangle[1]] - first, this->Positions[triangle[2]] - first);
+      if (this->AddFace(cell, triangle, normal))
+      {
+        this->Result.Weights.resize(this->Result.Sites.size(), 1.f);
+        this->Result.Weights.back() = .5f * glm::length(normal);
+      }
+    }
+  }
+
+  /// Adds a query point at the center of a polygon of a cell. Returns false if it has none.
+  bool AddFace(vtkIdType cell, const std::vector<vtkIdType>& corners, glm::vec3 normal)
+  {
+    glm::vec3 center(0.f);
+    for (const vtkIdType corner : corners)
+    {
+      center += this->Positions[corner] / static_cast<float>(corners.size());
+    }
+    float size = 0.f;
+    for (const vtkIdType corner : corners)
+    {
+      size = std::max(size, glm::distance(center, this->Positions[corner]));
+    }
+    if (normal == glm::vec3(0.f) || !this->AddSite(cell, center, glm::normalize(normal), size))
+    {
+      return false;
+    }
+    this->Result.Corners.insert(this->Result.Corners.end(), corners.begin(), corners.end());
+    this->EndCorners();
+    return true;
   }
 
   void AddDiscs()
@@ -401,6 +328,10 @@ private:
 
   void Finish()
   {
+    if (!this->Result.Weights.empty())
+    {
+      this->Result.Weights.resize(this->Result.Sites.size(), 1.f);
+    }
     double sum = 0.0;
     for (const RecordCandidate& site : this->Result.Sites)
     {

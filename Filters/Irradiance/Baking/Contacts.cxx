@@ -365,20 +365,21 @@ private:
     const std::vector<std::uint32_t>& touched, const std::vector<std::vector<SitePart>>& parts)
   {
     BakeInput& mesh = this->Mesh;
-    mesh.Weights.assign(mesh.Sites.size(), 1.f);
+    mesh.Weights.resize(mesh.Sites.size(), 1.f); // strips have weights
     for (std::size_t i = 0; i < touched.size(); ++i)
     {
+      const float weight = mesh.Weights[touched[i]];
       for (std::size_t k = 0; k < parts[i].size(); ++k)
       {
         const SitePart& part = parts[i][k];
         if (k == 0)
         {
           mesh.Sites[touched[i]] = part.Site;
-          mesh.Weights[touched[i]] = part.Weight;
+          mesh.Weights[touched[i]] = weight * part.Weight;
           continue;
         }
         mesh.Sites.push_back(part.Site);
-        mesh.Weights.push_back(part.Weight);
+        mesh.Weights.push_back(weight * part.Weight);
         mesh.Ids.push_back(mesh.Ids[touched[i]]);
       }
     }

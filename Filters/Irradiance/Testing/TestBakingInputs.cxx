@@ -9,6 +9,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -258,6 +259,64 @@ TEST(BakingInputs, RepresentsPointsByDiscs)
   filter->Update();
   // The corners of the discs lie slightly outside of the sphere.
   EXPECT_LE(ComputeFloorRmse(GetPolyData(filter)), .04);
+}
+
+/// Returns a strip of unequal triangles: a step of the width 1, whose tread has the length 1 and whose
+/// riser has the height 3, and a wall that touches the triangles of the tread.
+vtkSmartPointer<vtkPolyData> MakeStrip(bool asTriangles)
+{
+  const double corners[][3] = { { 0.0, 0.0, 0.0 }, { 0.0, -1.0, 0.0 }, { 1.0, 0.0, 0.0 },
+    { 1.0, -1.0, 0.0 }, { 1.0, 0.0, -3.0 }, { 1.0, -1.0, -3.0 }, { -1.0, -.5, 0.0 },
+    { 1.0, -.5, 0.0 }, { 1.0, -.5, 2.0 }, { -1.0, -.5, 2.0 } };
+  vtkNew<vtkPoints> points;
+  for (const double* corner : corners)
+  {
+    points->InsertNextPoint(corner);
+  }
+  const auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  vtkNew<vtkCellArray> polygons;
+  const vtkIdType wall[] = { 6, 7, 8, 9 };
+  polygons->InsertNextCell(4, wall);
+  for (vtkIdType i = 0; asTriangles && i < 4; ++i)
+  {
+    const vtkIdType triangle[] = { i, i + 1 + i % 2, i + 2 - i % 2 };
+    polygons->InsertNextCell(3, triangle);
+  }
+  mesh->SetPolys(polygons);
+  vtkNew<vtkCellArray> strips;
+  const vtkIdType strip[] = { 0, 1, 2, 3, 4, 5 };
+  strips->InsertNextCell(6, strip);
+  mesh->SetStrips(asTriangles ? nullptr : strips.Get());
+  return mesh;
+}
+
+TEST(BakingInputs, ValuesOfStripsAreMeansOfTheirTriangles)
+{
+  const auto bake = [](vtkPolyData* mesh, int quantity) {
+    vtkNew<vtkPenumbraIrradianceFilter> filter;
+    filter->SetInputData(mesh);
+    filter->SetQuantity(quantity);
+    filter->SetOnCells(true);
+    filter->SetRadius(VTK_DOUBLE_MAX);
+    filter->AddLight(0.0, 0.0, 1.0, 0.0);
+    filter->SetTolerance(.001);
+    filter->Update();
+    return vtkSmartPointer<vtkDataArray>(GetPolyData(filter)->GetCellData()->GetArray(0));
+  };
+  // Only the tread, a quarter of the area, faces the light.
+  EXPECT_NEAR(bake(MakeStrip(false), vtkPenumbraIrradianceFilter::DIRECT_LIGHT)->GetComponent(1, 0),
+    .25, 1e-5);
+  const auto triangles = bake(MakeStrip(true), vtkPenumbraIrradianceFilter::AMBIENT_OCCLUSION);
+  double expected = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    expected += (i < 2 ? .125 : .375) * triangles->GetComponent(1 + i, 0);
+  }
+  EXPECT_GT(triangles->GetComponent(1, 0), triangles->GetComponent(3, 0) + .1);
+  EXPECT_NEAR(
+    bake(MakeStrip(false), vtkPenumbraIrradianceFilter::AMBIENT_OCCLUSION)->GetComponent(1, 0),
+    expected, .003);
 }
 
 TEST(BakingInputs, AcceptsEmptyMesh)
