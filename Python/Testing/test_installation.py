@@ -153,7 +153,8 @@ def test_wheel_requires_no_vtk():
 
 def test_wheel_contains_licenses_and_a_platform_tag():
     files = {str(path) for path in importlib.metadata.files("vtk-penumbra")}
-    for name in ("LICENSE", "Apache-2.0.txt", "GLM.txt", "VTK.txt", "THIRD-PARTY.txt"):
+    for name in ("LICENSE", "Apache-2.0.txt", "CLI11.txt", "GLM.txt", "VTK.txt", "nlohmann-json.txt",
+                 "THIRD-PARTY.txt"):
         assert any(path.endswith(f"dist-info/licenses/{name}") for path in files), name
     wheel = importlib.metadata.distribution("vtk-penumbra").read_text("WHEEL")
     assert "Tag: cp312-abi3-manylinux_2_" in wheel

@@ -14,7 +14,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).parents[2]
-FOLDERS = ("Filters", "Rendering")
+FOLDERS = ("Command", "Filters", "Rendering")
 EXCLUDED = {"Testing", "ParaView", "Parallel"}
 sys.path.insert(0, str(ROOT / "Python" / "penumbra"))
 from _layout import Library, differences  # noqa: E402

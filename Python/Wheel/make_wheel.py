@@ -27,9 +27,13 @@ LICENSES = ROOT / "Python" / "Licenses"
 NAME = "vtk-penumbra"  # the name penumbra belongs to another project of the package index
 PACKAGE = "penumbra"
 FOLDER = NAME.replace("-", "_")
+PROGRAM = "penumbra"  # one for each VTK, which penumbra_program.py starts
 CVISTA = "9.7.0.5"
 
-ENTRY_POINTS = f"""[pyvista.accessors]
+ENTRY_POINTS = f"""[console_scripts]
+{PROGRAM} = penumbra_program:main
+
+[pyvista.accessors]
 {PACKAGE} = {PACKAGE}.mesh
 
 [pyvista.plotter_components]
@@ -165,7 +169,7 @@ def collect(options, scratch):
     """Return the contents of the wheel by path, without its metadata."""
     files = {f"{PACKAGE}/{path.name}": path.read_bytes() for path in sorted(SOURCES.iterdir())
              if path.suffix in (".py", ".typed")}
-    files["pytest_penumbra.py"] = (SOURCES.parent / "pytest_penumbra.py").read_bytes()
+    files |= {name: (SOURCES.parent / name).read_bytes() for name in ("penumbra_program.py", "pytest_penumbra.py")}
     files[f"{PACKAGE}/_version.py"] = f'__version__ = "{options.version}"\n'.encode()
     site = pathlib.Path(sysconfig.get_path("purelib"))
     for tree in options.trees:
@@ -179,6 +183,8 @@ def collect(options, scratch):
         files |= {f"{folder}/{name}": stripped(path, scratch) for name, path in libraries.items()
                   if f"{folder}/{name}" not in files}
         files |= {f"{folder}/{module.name}": stripped(module, scratch) for module in modules}
+        if f"{folder}/{PROGRAM}" not in files:
+            files[f"{folder}/{PROGRAM}"] = stripped(tree / "bin" / PROGRAM, scratch)
         if folder.endswith("_cvista"):
             stubs = generate_stubs(modules, libraries, site)
             files |= {f"{folder}/{name}": text.encode() for name, text in stubs.items()}
@@ -203,7 +209,7 @@ def write_wheel(path, files, version, tag):
         for name, content in files.items():
             entry = zipfile.ZipInfo(name, (2020, 1, 1, 0, 0, 0))
             entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = (0o755 if ".so" in name else 0o644) << 16
+            entry.external_attr = (0o755 if ".so" in name or name.endswith(f"/{PROGRAM}") else 0o644) << 16
             archive.writestr(entry, content)
 
 
