@@ -1,3 +1,12 @@
+# penumbra_find(<package> <description> [argument...]) finds a package; one error names all that are missing.
+set(penumbra_missing "")
+macro (penumbra_find package description)
+  find_package(${package} ${ARGN} QUIET)
+  if (NOT ${package}_FOUND)
+    string(APPEND penumbra_missing "\n  ${description}")
+  endif ()
+endmacro ()
+
 # VTK, selected by CMAKE_PREFIX_PATH or VTK_DIR, and the other libraries.
 set(penumbra_vtk_components
   ChartsCore CommonCore CommonDataModel CommonExecutionModel CommonColor CommonMath CommonTransforms
@@ -20,22 +29,29 @@ if (PENUMBRA_BUILD_PLUGIN)
       "Set ParaView_DIR, or leave PENUMBRA_BUILD_PLUGIN off. ${ParaView_NOT_FOUND_MESSAGE}")
   endif ()
 endif ()
-find_package(VTK REQUIRED
+penumbra_find(VTK "VTK 9.1 to 9.7 with headers: libvtk9-dev, vtk-devel, or VTK_DIR. "
   COMPONENTS ${penumbra_vtk_components} OPTIONAL_COMPONENTS ${penumbra_vtk_readers})
-if (PENUMBRA_INSTALL_VTK_PATH AND NOT PENUMBRA_BUILD_PYTHON)
+if (NOT VTK_FOUND)
+  string(APPEND penumbra_missing "${VTK_NOT_FOUND_MESSAGE}")
+endif ()
+if (VTK_FOUND AND PENUMBRA_INSTALL_VTK_PATH AND NOT PENUMBRA_BUILD_PYTHON)
   list(APPEND CMAKE_INSTALL_RPATH "$<TARGET_FILE_DIR:VTK::vtksys>")
 endif ()
 
 find_package(embree 4 CONFIG QUIET)
 if (NOT embree_FOUND)
-  find_package(embree 3.13 CONFIG REQUIRED)
+  penumbra_find(embree "Embree 3.13 or 4: libembree-dev, embree-devel, or embree_DIR" 3.13 CONFIG)
 endif ()
-find_package(glm CONFIG REQUIRED)
-
+penumbra_find(glm "GLM: libglm-dev, glm-devel, or glm_DIR" CONFIG)
 if (PENUMBRA_BUILD_COMMAND)
-  find_package(CLI11 CONFIG REQUIRED)
-  find_package(nlohmann_json CONFIG REQUIRED)
+  penumbra_find(CLI11 "CLI11: libcli11-dev, cli11-devel, CLI11_DIR, or PENUMBRA_BUILD_COMMAND=OFF" CONFIG)
+  penumbra_find(nlohmann_json
+    "JSON for Modern C++: nlohmann-json3-dev, json-devel, nlohmann_json_DIR, or PENUMBRA_BUILD_COMMAND=OFF" CONFIG)
 endif ()
 if (BUILD_TESTING)
-  find_package(GTest CONFIG REQUIRED)
+  penumbra_find(GTest "GoogleTest: libgtest-dev, gtest-devel, GTest_DIR, or BUILD_TESTING=OFF" CONFIG)
+endif ()
+if (penumbra_missing)
+  message(FATAL_ERROR "These packages are missing or cannot be used (of Debian, Fedora, or by a variable):"
+    "${penumbra_missing}\nDocumentation/GettingStarted.md lists all of them.")
 endif ()

@@ -6,6 +6,7 @@ option(PENUMBRA_BUILD_COMMAND "Build the program `penumbra`." ON)
 option(PENUMBRA_BUILD_BENCHMARKS "Build the benchmarks in addition to the tests." ON)
 option(PENUMBRA_BUILD_PLUGIN "Build the plugin for ParaView; requires the VTK of ParaView." OFF)
 option(PENUMBRA_BUILD_PYTHON "Build the Python modules, for CPython 3.12 and newer." OFF)
+option(PENUMBRA_BUILD_PACKAGE "Let CPack package the program with all its libraries." OFF)
 set(PENUMBRA_PYTHON_VTK cvista CACHE STRING
   "Python package whose VTK the modules use: cvista (stable ABI) or vtkmodules (one CPython, old C++ ABI).")
 option(PENUMBRA_WARNINGS_AS_ERRORS "Fail on compiler warnings." OFF)
@@ -37,6 +38,12 @@ set(CMAKE_INSTALL_RPATH_USE_LINK_PATH "${PENUMBRA_INSTALL_VTK_PATH}")
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 # Programs are not linked again if only the code of a library has changed.
 set(CMAKE_LINK_DEPENDS_NO_SHARED ON)
+
+# In a package, libraries without a path of their own, such as Embree's, find others by that of the program.
+if (PENUMBRA_BUILD_PACKAGE)
+  set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+  add_link_options(-Wl,--disable-new-dtags)
+endif ()
 
 # In a wheel, libraries find each other and VTK relative to their own folder.
 if (PENUMBRA_BUILD_PYTHON)
