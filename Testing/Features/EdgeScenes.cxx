@@ -4,10 +4,12 @@
 #include "SceneList.h"
 
 #include "vtkActor.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -80,6 +82,32 @@ void AddEdges(SceneList& add)
         r->ResetCamera();
       },
       0.025); // VTK draws half of the width at silhouettes
+  }
+  for (const bool culls : { false, true })
+  {
+    // VTK draws edges in fragments of polygons, which those without area do not have.
+    add(
+      Feature::VertexAndEdgeVisibility,
+      [culls](Renderer r, Window) {
+        vtkNew<vtkPolyData> data;
+        data->DeepCopy(MakePlane());
+        vtkPoints* points = data->GetPoints();
+        for (int i = 0; i <= 10; ++i)
+        {
+          const double x = 0.1 * i - 0.5;
+          const vtkIdType first = points->InsertNextPoint(x, 0.6, 0.0);
+          points->InsertNextPoint(x, 0.7, 0.1);
+          points->InsertNextPoint(x, 0.8, 0.2);
+          const vtkIdType corners[] = { first, first + 1, first + 2 };
+          data->GetPolys()->InsertNextCell(3, corners);
+        }
+        data->GetPointData()->Initialize();
+        vtkActor* actor = Add(r, data);
+        ShowEdges(actor, r);
+        actor->GetProperty()->SetBackfaceCulling(culls);
+        r->ResetCamera();
+      },
+      0.025);
   }
   for (const bool front : { false, true })
   {

@@ -63,10 +63,13 @@ public:
   /// Gives all that follows the color of edges, see ReplaceColors().
   void SetEdgeMaterial(const Material& material) { ReplaceColors(material, this->Attributes); }
 
-  /// Returns true if the side of a polygon that faces the camera is culled.
+  /// Returns true if VTK draws nothing of a polygon: it has no area, or the side that faces the
+  /// camera is culled.
   bool IsCulled(const vtkIdType* ids, vtkIdType size) const
   {
-    glm::dvec3 normal(0.0); // Newell's
+    constexpr double Flat = 1e-6; // relative area, or sine of the angle between ray and polygon
+    glm::dvec3 normal(0.0);       // Newell's
+    double square = 0.0;          // of the size of the polygon
     for (vtkIdType i = 0; i < size; ++i)
     {
       const auto from = static_cast<std::uint32_t>(ids[i]);
@@ -76,16 +79,23 @@ public:
         return false;
       }
       const glm::dvec3 first = this->Points[static_cast<std::uint32_t>(ids[0])];
-      normal +=
-        glm::cross(glm::dvec3(this->Points[from]) - first, glm::dvec3(this->Points[to]) - first);
+      const glm::dvec3 side = glm::dvec3(this->Points[to]) - first;
+      normal += glm::cross(glm::dvec3(this->Points[from]) - first, side);
+      square = std::max(square, glm::dot(side, side));
+    }
+    const bool front = this->Item.Property->GetFrontfaceCulling();
+    const bool back = this->Item.Property->GetBackfaceCulling();
+    if (!front && !back)
+    {
+      return glm::length(normal) < Flat * square;
     }
     const Camera& camera = this->Target.ViewCamera;
     const glm::dvec3 view = camera.Parallel
       ? camera.Forward
       : glm::dvec3(this->Points[static_cast<std::uint32_t>(ids[0])]) - camera.Position;
     const double facing = glm::dot(normal, view);
-    return (facing < 0.0 && this->Item.Property->GetFrontfaceCulling()) ||
-      (facing > 0.0 && this->Item.Property->GetBackfaceCulling());
+    const double edgeOn = Flat * square * glm::length(view);
+    return (facing < edgeOn && front) || (facing > -edgeOn && back);
   }
 
   /// Appearance of segments. If Single is set, it replaces the material and the colors of the item.
@@ -450,15 +460,13 @@ void AddLinesAndPoints(const DrawItem& item, double pixelsPerPoint, Scene& scene
     Material material = MakeUnlitMaterial(property->GetEdgeColor(), FindEdgeOpacity(property));
     material.PhysicallyBased = property->GetInterpolation() == VTK_PBR && !property->GetLighting();
     expander.SetEdgeMaterial(roundEdges ? MakeRoundMaterial(property, material) : material);
-    const bool culls = property->GetFrontfaceCulling() || property->GetBackfaceCulling();
     LineExpander::LineStyle style;
     style.Width = FindEdgeWidth(property);
     style.IsRound = roundEdges;
     style.AreEdges = true;
-    expander.Add(CollectEdges(item,
-                   [&](const vtkIdType* ids, vtkIdType size) {
-                     return culls && expander.IsCulled(ids, size);
-                   }),
+    expander.Add(
+      CollectEdges(
+        item, [&](const vtkIdType* ids, vtkIdType size) { return expander.IsCulled(ids, size); }),
       style);
   }
   if (vertices)
