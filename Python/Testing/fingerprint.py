@@ -25,7 +25,7 @@ def digest(array):
 for name, points, faces in scenes():
     for options in ({}, {"ambient_occlusion": True}, {"shadows": True}, {"transparent_background": True},
                     {"indirect_light": True, "environment_color": "white", "tolerance": 1 / 64}):
-        print(name, options, digest(penumbra.render((points, faces), size=(96, 72), **options)))
+        print(name, options, digest(penumbra.render((points, faces), window_size=(96, 72), **options)))
     print(name, "ambient occlusion", digest(penumbra.ambient_occlusion(points, faces)))
     print(name, "irradiance", digest(penumbra.irradiance(points, faces, tolerance=0.05)))
     print(name, "direct light", digest(penumbra.direct_light(points, faces, lights=(1, 2, 3, 0), light_angle=10)))

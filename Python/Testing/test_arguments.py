@@ -26,21 +26,21 @@ RGB = {"w": (255, 255, 255), "r": (255, 0, 0), "k": (0, 0, 0), "tab:blue": (31, 
 @pytest.mark.parametrize("name", RGB)
 def test_colors_have_the_names_of_matplotlib_and_vtk(name):
     assert [round(255 * channel) for channel in parse_color("color", name)] == list(RGB[name])
-    pixel = penumbra.render(SQUARE, size=(8, 8), color=name, camera=[(.5, .5, 3), (.5, .5, 0), (0, 1, 0)])[4, 4]
+    pixel = penumbra.render(SQUARE, window_size=(8, 8), color=name, camera=[(.5, .5, 3), (.5, .5, 0), (0, 1, 0)])[4, 4]
     assert np.abs(pixel.astype(int) - RGB[name]).max() <= 2
 
 
 @pytest.mark.parametrize("name", ["#zzzzzz", "#12", "#1234567", "", "tab:rose", "ruby red"])
 def test_other_names_of_colors_are_refused(name):
     with pytest.raises(ValueError, match="color must be"):
-        penumbra.render(SQUARE, size=(8, 8), color=name)
+        penumbra.render(SQUARE, window_size=(8, 8), color=name)
     with pytest.raises(ValueError, match="environment_color must be"):
         penumbra.irradiance(*SQUARE, environment_color=name)
 
 
 @pytest.mark.parametrize("size", [(24, 16), [24, 16], np.array([24, 16]), (24.0, np.int32(16))])
 def test_sizes_are_any_two_integers(size):
-    assert penumbra.render(SQUARE, size=size).shape == (16, 24, 3)
+    assert penumbra.render(SQUARE, window_size=size).shape == (16, 24, 3)
 
 
 @pytest.mark.parametrize(("error", "size"), [
@@ -48,13 +48,13 @@ def test_sizes_are_any_two_integers(size):
     (TypeError, (math.inf, 16)), (TypeError, (math.nan, 16)), (ValueError, (0, 16)), (ValueError, (24, 65536)),
     (TypeError, np.zeros((2, 2)))])
 def test_other_sizes_are_refused(error, size):
-    with pytest.raises(error, match="size must be"):
-        penumbra.render(SQUARE, size=size)
+    with pytest.raises(error, match="window_size must be"):
+        penumbra.render(SQUARE, window_size=size)
 
 
 def test_bounces_are_integers():
     with pytest.raises(ValueError, match="bounces must be an integer, not 2.5"):
-        penumbra.render(SQUARE, size=(8, 8), bounces=2.5)
+        penumbra.render(SQUARE, window_size=(8, 8), bounces=2.5)
     with pytest.raises(ValueError, match="bounces must be an integer"):
         penumbra.irradiance(*SQUARE, bounces=1.5)
     np.testing.assert_array_equal(penumbra.irradiance(*SQUARE, bounces=2.0), penumbra.irradiance(*SQUARE, bounces=2))
@@ -100,10 +100,10 @@ def test_meshes_of_other_packages_are_arrays():
     block = types.SimpleNamespace(type="triangle", data=TRIANGLES)
     trimesh = types.SimpleNamespace(vertices=POINTS, faces=TRIANGLES)
     meshio = types.SimpleNamespace(points=POINTS, cells=[block], cells_dict={"triangle": TRIANGLES})
-    image = penumbra.render((POINTS, TRIANGLES), size=(24, 16))
+    image = penumbra.render((POINTS, TRIANGLES), window_size=(24, 16))
     for mesh in (trimesh, meshio, poly_data(POINTS, TRIANGLES)):
         np.testing.assert_array_equal(penumbra.ambient_occlusion(mesh, radius=1.0), expected)
-        np.testing.assert_array_equal(penumbra.render(mesh, size=(24, 16)), image)
+        np.testing.assert_array_equal(penumbra.render(mesh, window_size=(24, 16)), image)
     meshio.cells.append(types.SimpleNamespace(type="quad", data=np.array([(0, 1, 2, 3)])))
     assert penumbra.ambient_occlusion(meshio, on="cells").shape == (4,)
     meshio.cells.append(types.SimpleNamespace(type="tetra", data=np.array([(0, 1, 2, 3)])))
@@ -139,6 +139,71 @@ def test_worst_tiles_are_those_of_a_grid():
     assert math.isclose(worst[1].rmse, 0.25 / 16, rel_tol=1e-5)
 
 
+# A floor, and a wall of height 1 that is nearly endless, seen from above.
+CORNER = ([(0, -99, 0), (4, -99, 0), (4, 99, 0), (0, 99, 0), (0, -99, 1), (0, 99, 1)], [(0, 1, 2, 3), (0, 3, 5, 4)])
+
+
+def corner_camera():
+    camera = vtk_module("vtkRenderingCore").vtkCamera()
+    camera.SetFocalPoint(2, 0, 0)
+    camera.SetPosition(2, 0, 9)
+    camera.SetClippingRange(1, 20)
+    camera.ParallelProjectionOn()
+    camera.SetParallelScale(1.5)
+    return camera
+
+
+def test_providers_meet_the_light_tolerance():
+    tolerance = 0.01
+    records = penumbra.vtkPenumbraIrradianceCache()
+    joined = penumbra.vtkPenumbraBruteForceIrradiance()
+    joined.SetJoinPixels(True)
+    options = {"window_size": (64, 48), "as_float": True, "camera": corner_camera(), "radius": math.inf}
+    plain = penumbra.render(CORNER, **options)
+    x = (np.arange(64) + 0.5) / 16
+    expected = 1 - (1 - x / np.sqrt(x ** 2 + 1)) / 2
+    found = {}
+    for cache in (None, "world", "screen", "none", records, joined):
+        image, statistics = penumbra.render(
+            CORNER, ambient_occlusion=True, light_tolerance=tolerance, cache=cache, return_statistics=True, **options)
+        errors = (image / plain)[..., 0] - expected
+        assert math.sqrt((errors ** 2).mean()) < tolerance
+        assert ("Cache/Records" in statistics) == (cache in ("world", "screen", records))
+        assert statistics.get("Cache/Records", 4) > 3
+        found[cache] = image
+    np.testing.assert_array_equal(found[records], found["world"])
+    np.testing.assert_array_equal(found[joined], found["none"])
+    assert (found[None] != found["none"]).any()
+
+
+def test_other_providers_are_refused():
+    with pytest.raises(ValueError, match="cache must be one of 'world', 'screen', 'none', not 'disk'"):
+        penumbra.render(SQUARE, cache="disk")
+    with pytest.raises(TypeError, match="not a vtkPenumbraRayCaster"):
+        penumbra.render(SQUARE, cache=penumbra.vtkPenumbraRayCaster())
+    with pytest.raises(ValueError, match="cache must be one of"):
+        penumbra.render(SQUARE, cache=3)
+
+
+def test_light_is_bounded_by_its_tolerance():
+    options = {"window_size": (64, 48), "camera": corner_camera(), "ambient_occlusion": True, "return_statistics": True}
+    rays = [penumbra.render(CORNER, light_tolerance=tolerance, **options)[1] for tolerance in (0.05, 0.005)]
+    assert rays[1]["EstimatedLightError"] < 0.00501 < rays[0]["EstimatedLightError"] < 0.0501
+    assert rays[1]["Rays/Occlusion"] > 4 * rays[0]["Rays/Occlusion"]
+
+
+@pytest.mark.parametrize("camera", [
+    [(.5, .5, 3), (.5, .5, 0), (0, 1, 0)], np.array([(.5, .5, 3), (.5, .5, 0), (0, 1, 0)])])
+def test_cameras_are_three_points(camera):
+    assert penumbra.render(SQUARE, window_size=(8, 8), camera=camera)[4, 4].min() > 100
+
+
+@pytest.mark.parametrize("camera", ["xy", [1, 2, 3], np.zeros(9), [(0, 0, 1), (0, 0, 0)], [(0, 0, 1), None, (0, 1, 0)]])
+def test_other_cameras_are_refused(camera):
+    with pytest.raises(ValueError, match="camera must be three points"):
+        penumbra.render(SQUARE, camera=camera)
+
+
 @pytest.fixture
 def plotter():
     pyvista = pytest.importorskip("pyvista")
@@ -166,6 +231,12 @@ def test_screenshot_writes_nothing_to_true(plotter, tmp_path, monkeypatch):
     memory = io.BytesIO()
     assert plotter.penumbra.screenshot(memory, return_img=False) is None
     assert memory.getvalue().startswith(b"\x89PNG")
+
+
+def test_accessors_have_a_provider(plotter, tmp_path):
+    options = {"ambient_occlusion": True, "cache": "screen", "return_statistics": True}
+    assert "Cache/Records" in plotter.penumbra.ray_cast(**options)[1]
+    assert "Cache/Records" in plotter.penumbra.save_graphic(tmp_path / "figure.svg", maximum_paths=0, **options)
 
 
 def test_accessors_and_functions_have_the_same_colors(plotter):

@@ -317,7 +317,7 @@ SQUARE = ([(-0.365, -0.205, 0), (0.365, -0.205, 0), (0.365, 0.205, 0), (-0.365, 
 class TestRender:
     def test_draws_arrays(self):
         camera = ((0, 0, 1 / math.tan(math.radians(15))), (0, 0, 0), (0, 1, 0))
-        image = penumbra.render(SQUARE, size=(40, 40), camera=camera, transparent_background=True, as_float=True)
+        image = penumbra.render(SQUARE, window_size=(40, 40), camera=camera, transparent_background=True, as_float=True)
         assert image.shape == (40, 40, 4)
         # The window is 2 by 2 in the plane of the square.
         assert abs(image[..., 3].sum() - 0.73 * 0.41 * 400) < 0.01
@@ -325,25 +325,25 @@ class TestRender:
 
     def test_has_bytes_from_top_to_bottom(self):
         points = [(0, 0, 0), (1, 0, 0), (0.5, 1, 0)]
-        image = penumbra.render((points, FACES), size=(64, 48), camera=((0.5, 0.5, 3), (0.5, 0.5, 0), (0, 1, 0)))
+        image = penumbra.render((points, FACES), window_size=(64, 48), camera=((0.5, 0.5, 3), (0.5, 0.5, 0), (0, 1, 0)))
         assert image.shape == (48, 64, 3)
         assert image.dtype == np.uint8
         widths = np.count_nonzero(image[..., 0] > 128, axis=1)
         assert widths[30] > widths[18] > 0
 
     def test_has_the_same_bits_each_time(self):
-        images = [penumbra.render(sphere(30), size=(80, 60), ambient_occlusion=True) for _ in range(2)]
+        images = [penumbra.render(sphere(30), window_size=(80, 60), ambient_occlusion=True) for _ in range(2)]
         np.testing.assert_array_equal(*images)
 
     def test_adds_ambient_occlusion(self):
         points, faces, _ = floor_and_sphere(12, 30)
-        plain = penumbra.render((points, faces), size=(80, 60), as_float=True)
-        dark = penumbra.render((points, faces), size=(80, 60), as_float=True, ambient_occlusion=True, radius=2.0)
+        plain = penumbra.render((points, faces), window_size=(80, 60), as_float=True)
+        dark = penumbra.render((points, faces), window_size=(80, 60), as_float=True, ambient_occlusion=True, radius=2.0)
         assert (dark <= plain + 1 / 128).all()
         assert (plain - dark).max() > 0.2
 
     def test_draws_points_as_spheres(self):
-        options = {"size": (100, 100), "transparent_background": True, "as_float": True}
+        options = {"window_size": (100, 100), "transparent_background": True, "as_float": True}
         camera = ((0, 0, 10), (0, 0, 0), (0, 1, 0))
         image = penumbra.render(([(0, 0, 0)], None), camera=camera, point_radius=1.0, **options)
         # A sphere of radius 1 at the distance 10 has the angular radius asin(1 / 10), half of the view is 15 degrees.
@@ -355,12 +355,12 @@ class TestRender:
 
     def test_shows_spheres_as_a_whole(self):
         for points in ([(0, 0, 0)], [(0, 0, 0), (1, 0, 0), (1, 1, 0)]):
-            image = penumbra.render((points, None), size=(40, 40), point_radius=1.0, transparent_background=True)
+            image = penumbra.render((points, None), window_size=(40, 40), point_radius=1.0, transparent_background=True)
             assert image[..., 3].max() == 255
             assert max(edge.max() for edge in (image[0], image[-1], image[:, 0], image[:, -1])) == 0
 
     def test_draws_lines_as_tubes(self):
-        image = penumbra.render(([(-50, 0, 0), (50, 0, 0)], None, [(0, 1)]), size=(100, 100), line_radius=1.0,
+        image = penumbra.render(([(-50, 0, 0), (50, 0, 0)], None, [(0, 1)]), window_size=(100, 100), line_radius=1.0,
                                 camera=((0, 0, 10), (0, 0, 0), (0, 1, 0)), transparent_background=True, as_float=True)
         half = 50 * math.tan(math.asin(0.1)) / math.tan(math.radians(15))
         assert abs(image[..., 3].sum() - 200 * half) < 0.5
@@ -373,7 +373,7 @@ class TestRender:
         light.SetLightTypeToSceneLight()
         light.SetPosition(5, 0, 10)
         renderer.AddLight(light)
-        options = {"size": (60, 60), "as_float": True, "shadows": True}
+        options = {"window_size": (60, 60), "as_float": True, "shadows": True}
         gray = [np.count_nonzero((image[..., 0] > 0.1 * image.max()) & (image[..., 0] < 0.8 * image.max()))
                 for image in (penumbra.render(renderer, **options), penumbra.render(renderer, light_angle=20, **options))]
         assert gray[1] > gray[0] + 50
@@ -382,21 +382,21 @@ class TestRender:
         assert rmse(penumbra.render(renderer, light_radius=0.5, **options), penumbra.render(renderer, **options)) > 0.01
 
     def test_returns_statistics(self):
-        _, statistics = penumbra.render(sphere(20), size=(40, 40), return_statistics=True)
+        _, statistics = penumbra.render(sphere(20), window_size=(40, 40), return_statistics=True)
         assert statistics["Rays/Total"] > 0
         assert 0.0 <= statistics["EstimatedError"] < 1 / 256
 
     def test_reports_progress(self):
         fractions = []
-        penumbra.render(sphere(20), size=(200, 150), progress=fractions.append)
+        penumbra.render(sphere(20), window_size=(200, 150), progress=fractions.append)
         assert fractions
         assert fractions == sorted(fractions)
 
     @pytest.mark.parametrize(("error", "match", "scene", "options"), [
         (TypeError, "scene must be", 3, {}),
         (TypeError, "scene must be", "cube", {}),
-        (ValueError, "size", SQUARE, {"size": (0, 10)}),
-        (TypeError, "size", SQUARE, {"size": 10}),
+        (ValueError, "window_size", SQUARE, {"window_size": (0, 10)}),
+        (TypeError, "window_size", SQUARE, {"window_size": 10}),
         (ValueError, "camera", SQUARE, {"camera": (0, 0, 1)}),
         (ValueError, "color", SQUARE, {"color": (2.0, 0.0, 0.0)}),
         (ValueError, "tolerance", SQUARE, {"tolerance": 2.0}),

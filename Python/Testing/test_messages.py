@@ -21,7 +21,7 @@ def state():
 
 def outcome(camera):
     try:
-        return penumbra.render(TRIANGLE, size=(24, 16), camera=camera).shape
+        return penumbra.render(TRIANGLE, window_size=(24, 16), camera=camera).shape
     except RuntimeError as error:
         return str(error).split(":")[0]
 
@@ -70,7 +70,7 @@ def test_callbacks_may_call_functions():
         if not found:
             found.extend([outcome(UNUSABLE), outcome(None)])
 
-    assert penumbra.render(TRIANGLE, size=(24, 16), progress=progress).shape == (16, 24, 3)
+    assert penumbra.render(TRIANGLE, window_size=(24, 16), progress=progress).shape == (16, 24, 3)
     assert found == ["The camera is not usable", (16, 24, 3)]
     assert state() == before
 
@@ -78,7 +78,7 @@ def test_callbacks_may_call_functions():
 def test_errors_leave_the_output_as_it_was():
     before = state()
     with pytest.raises(RuntimeError, match="camera is not usable"):
-        penumbra.render(TRIANGLE, size=(24, 16), camera=UNUSABLE)
+        penumbra.render(TRIANGLE, window_size=(24, 16), camera=UNUSABLE)
     with pytest.raises(ZeroDivisionError), penumbra.messages_as_warnings():
         1 / 0
     assert state() == before

@@ -400,12 +400,12 @@ class RayCastImage(unittest.TestCase):
         plotter = scene()
         numpy.testing.assert_array_equal(penumbra.render(plotter), plotter.penumbra.ray_cast())
         numpy.testing.assert_array_equal(
-            penumbra.render(plotter.renderer, size=(160, 120)), plotter.penumbra.ray_cast())
-        image = penumbra.render(sphere(), size=(60, 50), color="red")
+            penumbra.render(plotter.renderer, window_size=(160, 120)), plotter.penumbra.ray_cast())
+        image = penumbra.render(sphere(), window_size=(60, 50), color="red")
         self.assertGreater(int(image[25, 30, 0]), int(image[25, 30, 1]) + 50)
         blocks = pyvista.MultiBlock([plane(), sphere()])
-        self.assertGreater(penumbra.render(blocks, size=(60, 50)).max(), 100)
-        self.assertGreater(penumbra.render(pyvista.ImageData(dimensions=(3, 3, 3)), size=(60, 50)).max(), 100)
+        self.assertGreater(penumbra.render(blocks, window_size=(60, 50)).max(), 100)
+        self.assertGreater(penumbra.render(pyvista.ImageData(dimensions=(3, 3, 3)), window_size=(60, 50)).max(), 100)
 
     def test_adds_light_from_the_environment(self):
         plotter = pyvista.Plotter(off_screen=True, window_size=(20, 20))

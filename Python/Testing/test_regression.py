@@ -18,7 +18,7 @@ FACES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
 
 @pytest.mark.parametrize("size", [(64, 48)])
 def test_pyramid(penumbra_regression, size):
-    penumbra_regression((POINTS, FACES), size=size)
+    penumbra_regression((POINTS, FACES), window_size=size)
 """
 IMAGE = """
 import numpy as np

@@ -21,7 +21,7 @@ values, statistics = penumbra.irradiance(points, faces, progress=lambda fraction
 assert_type(values, npt.NDArray[np.float32])
 assert_type(statistics, dict[str, Any])
 assert_type(penumbra.direct_light(points, faces, lights=[(0, 0, 9)], light_radius=1), npt.NDArray[np.float32])
-image = penumbra.render((points, faces), size=(320, 240), ambient_occlusion=True)
+image = penumbra.render((points, faces), window_size=(320, 240), ambient_occlusion=True)
 assert_type(image, npt.NDArray[Any])
 assert_type(penumbra.ambient_occlusion(points, faces, lines=[(0, 1)], line_radius=0.1, point_radius=0.2),
             npt.NDArray[np.float32])

@@ -18,7 +18,7 @@ from .graphics import check_options, check_path, write_graphic
 from .messages import Progress, observe_warnings, warn
 from .opengl import require_opengl
 from .passes import add, passes_of, remove
-from .rendering import Image, Settings, cast_renderers, finish, prepare_plotter
+from .rendering import Cache, Image, Settings, cast_renderers, finish, prepare_plotter
 
 PHASES = ("isotropic", "rayleigh", "henyey-greenstein")
 IMAGE_SCALE = 4  # pixels per point of an image in a figure
@@ -209,7 +209,7 @@ class PlotterAccessor:
         ambient_occlusion: bool | None = None, radius: float | None = None, falloff: Falloff = "none",
         strength: float | None = None, shadows: bool | None = None, light_shafts: bool | None = None,
         light_radius: float = 0.0, light_angle: float = 0.0, indirect_light: bool = False,
-        environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
+        environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3, cache: Cache = None,
         point_radius: float = 0.0, line_radius: float = 0.0, transparent_background: bool = False,
         as_float: bool = False, return_statistics: bool = False, scale: int | None = None,
         progress: Progress | None = None,
@@ -244,6 +244,8 @@ class PlotterAccessor:
             If True, add the light of the environment and of diffuse interreflection.
         environment_color, albedo, bounces
             Parameters of indirect light, as in ``mesh.penumbra.bake_irradiance``.
+        cache : {"world", "screen", "none"} or vtkPenumbraIrradianceProvider, optional
+            Provider of ambient occlusion and indirect light, as in ``penumbra.render``.
         point_radius, line_radius : float
             Radius of the spheres that represent points, and of the tubes that represent lines and wireframes, in world
             units. Range: [0, 1e30]. Default: 0, as the plotter draws them.
@@ -263,7 +265,7 @@ class PlotterAccessor:
         settings = Settings(
             tolerance, light_tolerance, ambient_occlusion, radius, falloff, strength, shadows, light_shafts,
             indirect_light, environment_color, albedo, bounces, transparent_background, 72 * scale,
-            light_radius, light_angle, point_radius, line_radius)
+            light_radius, light_angle, point_radius, line_radius, cache)
         window = self._plotter.render_window
         if window is None:
             raise RuntimeError("the plotter is closed: call ray_cast() before close() or show()")

@@ -118,7 +118,7 @@ class Regression:
         mask : array_like, shape (height, width), uint8, optional
             Pixels that are 0 are ignored.
         **options
-            Arguments of `penumbra.render`, such as ``size=(320, 240)``.
+            Arguments of `penumbra.render`, such as ``window_size=(320, 240)``.
 
         Returns
         -------

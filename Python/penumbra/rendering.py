@@ -11,7 +11,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ._backend import vtk_module
-from ._classes import vtkPenumbraMedium, vtkPenumbraRayCaster
+from ._classes import (vtkPenumbraBruteForceIrradiance, vtkPenumbraIrradianceCache, vtkPenumbraMedium,
+                       vtkPenumbraRayCaster)
 from .baking import ColorLike, Falloff, needed_bounces
 from .conversion import (FALLOFFS, check_choice, check_integer, check_radius, check_range, check_size, colors_of,
                          mesh_arrays, parse_color, poly_data, statistics_dict, to_bytes)
@@ -20,6 +21,10 @@ from .passes import passes_of
 
 Image = npt.NDArray[Any]
 Camera = Any
+
+# The words of --cache of the program, or a vtkPenumbraIrradianceProvider.
+Cache = Literal["world", "screen", "none"] | Any
+CACHES = ("world", "screen", "none")
 
 # Render passes that show something that rays do not draw.
 NOT_DRAWN = {
@@ -59,6 +64,7 @@ class Settings:
     light_angle: float = 0.0
     point_radius: float = 0.0
     line_radius: float = 0.0
+    cache: Any = None
 
     def __post_init__(self) -> None:
         check_range("tolerance", self.tolerance, 1e-6, 1.0)
@@ -77,6 +83,24 @@ class Settings:
         check_range("light_angle", self.light_angle, 0.0, 180.0)
         check_range("point_radius", self.point_radius, 0.0, 1e30)
         check_range("line_radius", self.line_radius, 0.0, 1e30)
+        if self.cache is not None and not hasattr(self.cache, "IsA"):
+            check_choice("cache", self.cache, CACHES)
+        elif self.cache is not None and not self.cache.IsA("vtkPenumbraIrradianceProvider"):
+            raise TypeError("cache must be 'world', 'screen', 'none' or a vtkPenumbraIrradianceProvider, not a "
+                            f"{self.cache.GetClassName()}")
+
+
+def _make_provider(cache: Any) -> Any:
+    """Return a provider of ambient occlusion and indirect light, None for the default of the ray caster."""
+    if cache == "none":
+        rays = vtkPenumbraBruteForceIrradiance()
+        rays.SetJoinPixels(True)
+        return rays
+    if cache in ("world", "screen"):
+        records = vtkPenumbraIrradianceCache()
+        records.SetSpace(records.SCREEN if cache == "screen" else records.WORLD)
+        return records
+    return cache
 
 
 def _diagonal(renderer: Any) -> float:
@@ -154,6 +178,7 @@ def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> tup
     caster.SetEnvironmentColor(settings.environment_color)
     caster.SetAlbedo(settings.albedo)
     caster.SetBounces(settings.bounces)
+    caster.SetIrradianceProvider(_make_provider(settings.cache))
     caster.SetDPI(settings.dpi)
     caster.SetLayers(False)  # cast_renderers draws all renderers, with the effects of each
     caster.SetPointRadius(settings.point_radius)
@@ -237,7 +262,10 @@ def _set_camera(renderer: Any, camera: Camera, radius: float = 0.0) -> None:
         renderer.ResetCamera(bounds)
         return
     try:
-        position, focal_point, view_up = ([float(value) for value in vector] for vector in camera)
+        vectors = np.asarray(camera, float)
+        if vectors.shape != (3, 3):
+            raise ValueError
+        position, focal_point, view_up = vectors.tolist()
         view.SetPosition(position)
         view.SetFocalPoint(focal_point)
         view.SetViewUp(view_up)
@@ -272,7 +300,7 @@ def _resolve(
     scene: Any, size: Any, color: ColorLike, camera: Camera, point_radius: float, line_radius: float,
 ) -> tuple[list[Any], tuple[int, int]]:
     """Return the renderers of a scene and the size of the image."""
-    pixels = check_size("size", (1024, 768) if size is None else size)
+    pixels = check_size("window_size", (1024, 768) if size is None else size)
     if not hasattr(scene, "IsA") and (found := mesh_arrays(scene)) is not None:
         return _resolve(found, size, color, camera, point_radius, line_radius)
     if hasattr(scene, "render_window") and hasattr(scene, "renderers"):  # a PyVista plotter
@@ -304,7 +332,7 @@ def _resolve(
         raise ValueError("camera applies to meshes and renderers; set that of the plotter instead")
     collection = window.GetRenderers()
     renderers = [collection.GetItemAsObject(i) for i in range(collection.GetNumberOfItems())]
-    return renderers, check_size("size", window.GetSize()) if size is None else pixels
+    return renderers, check_size("window_size", window.GetSize()) if size is None else pixels
 
 
 def prepare_plotter(plotter: Any) -> None:
@@ -320,39 +348,39 @@ def prepare_plotter(plotter: Any) -> None:
 
 @overload
 def render(
-    scene: Any, *, size: tuple[int, int] | None = None, camera: Camera = None, color: ColorLike = "white",
+    scene: Any, *, window_size: tuple[int, int] | None = None, camera: Camera = None, color: ColorLike = "white",
     tolerance: float = 1.0 / 256.0, light_tolerance: float = 0.0, ambient_occlusion: bool | None = None,
-    radius: float | None = None,
-    falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
+    radius: float | None = None, falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
     light_shafts: bool | None = None, light_radius: float = 0.0, light_angle: float = 0.0,
     indirect_light: bool = False, environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
-    point_radius: float = 0.0, line_radius: float = 0.0, transparent_background: bool = False, as_float: bool = False,
-    progress: Progress | None = None, return_statistics: Literal[False] = False,
+    cache: Cache = None, point_radius: float = 0.0, line_radius: float = 0.0,
+    transparent_background: bool = False, as_float: bool = False, progress: Progress | None = None,
+    return_statistics: Literal[False] = False,
 ) -> Image: ...
 
 
 @overload
 def render(
-    scene: Any, *, size: tuple[int, int] | None = None, camera: Camera = None, color: ColorLike = "white",
+    scene: Any, *, window_size: tuple[int, int] | None = None, camera: Camera = None, color: ColorLike = "white",
     tolerance: float = 1.0 / 256.0, light_tolerance: float = 0.0, ambient_occlusion: bool | None = None,
-    radius: float | None = None,
-    falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
+    radius: float | None = None, falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
     light_shafts: bool | None = None, light_radius: float = 0.0, light_angle: float = 0.0,
     indirect_light: bool = False, environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
-    point_radius: float = 0.0, line_radius: float = 0.0, transparent_background: bool = False, as_float: bool = False,
-    progress: Progress | None = None, return_statistics: Literal[True],
+    cache: Cache = None, point_radius: float = 0.0, line_radius: float = 0.0,
+    transparent_background: bool = False, as_float: bool = False, progress: Progress | None = None,
+    return_statistics: Literal[True],
 ) -> tuple[Image, dict[str, Any]]: ...
 
 
 def render(
-    scene: Any, *, size: tuple[int, int] | None = None, camera: Camera = None, color: ColorLike = "white",
+    scene: Any, *, window_size: tuple[int, int] | None = None, camera: Camera = None, color: ColorLike = "white",
     tolerance: float = 1.0 / 256.0, light_tolerance: float = 0.0, ambient_occlusion: bool | None = None,
-    radius: float | None = None,
-    falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
+    radius: float | None = None, falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
     light_shafts: bool | None = None, light_radius: float = 0.0, light_angle: float = 0.0,
     indirect_light: bool = False, environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
-    point_radius: float = 0.0, line_radius: float = 0.0, transparent_background: bool = False, as_float: bool = False,
-    progress: Progress | None = None, return_statistics: bool = False,
+    cache: Cache = None, point_radius: float = 0.0, line_radius: float = 0.0,
+    transparent_background: bool = False, as_float: bool = False, progress: Progress | None = None,
+    return_statistics: bool = False,
 ) -> Image | tuple[Image, dict[str, Any]]:
     """Render an image by ray casting, antialiased to a tolerance.
 
@@ -366,7 +394,7 @@ def render(
         meshio, or arrays as in `ambient_occlusion`, of which
         faces and lines may be None; it gets a headlight, which casts no shadows, and one color. All renderers of a
         window or plotter are drawn in their viewports.
-    size : tuple of int, optional
+    window_size : tuple of int, optional
         Width and height in pixels. Range: 1 to 65535. Default: the size of the window, else 1024 by 768.
     camera : (position, focal_point, view_up) or vtkCamera, optional
         Camera of a mesh or renderer, in world coordinates. Default: that of the renderer; a mesh is seen from
@@ -399,6 +427,9 @@ def render(
         Add the light of the environment and of diffuse interreflection.
     environment_color, albedo, bounces
         As in `irradiance`.
+    cache : {"world", "screen", "none"} or vtkPenumbraIrradianceProvider, optional
+        Provider of ambient occlusion and indirect light. "world" or "screen": interpolated between records in world
+        space or over the image; "none": rays that neighboring pixels share. Default: rays of each pixel alone.
     point_radius : float
         Radius of the spheres that represent points, in world units. Range: [0, 1e30]. Default: 0, points have their
         size in pixels.
@@ -443,14 +474,14 @@ def render(
     >>> import penumbra
     >>> points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
     >>> faces = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
-    >>> penumbra.render((points, faces), size=(320, 240), ambient_occlusion=True).shape
+    >>> penumbra.render((points, faces), window_size=(320, 240), ambient_occlusion=True).shape
     (240, 320, 3)
     """
     settings = Settings(
         tolerance, light_tolerance, ambient_occlusion, radius, falloff, strength, shadows, light_shafts, indirect_light,
         environment_color, albedo, bounces, transparent_background, 72, light_radius, light_angle, point_radius,
-        line_radius)
-    renderers, pixels = _resolve(scene, size, color, camera, point_radius, line_radius)
+        line_radius, cache)
+    renderers, pixels = _resolve(scene, window_size, color, camera, point_radius, line_radius)
     canvas, statistics = cast_renderers(renderers, pixels, settings, progress)
     image = finish(canvas, transparent_background, as_float)
     return (image, statistics) if return_statistics else image
