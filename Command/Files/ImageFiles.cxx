@@ -5,7 +5,9 @@
 #include "AtomicFile.h"
 #include "FileExtension.h"
 #include "InputFiles.h"
+#include "MappedFile.h"
 #include "PixelDensity.h"
+#include "PngFile.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 #include "TiffFile.h"
@@ -154,6 +156,12 @@ void WriteArrays(vtkImageData* image, AtomicFile& file, int dotsPerInch)
   CheckWritten(writer->GetErrorCode(), file);
 }
 
+bool IsWhole(const std::string& path)
+{
+  const MappedFile file(path);
+  return IsWholePng(file.Begin(), file.Size());
+}
+
 template <typename Reader>
 vtkSmartPointer<vtkImageData> Read(const std::string& path)
 {
@@ -262,7 +270,7 @@ void WriteImage(vtkImageData* image, AtomicFile& file, const std::string& path, 
 std::string ReadNote(const std::string& path)
 {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored))
+  if (!std::filesystem::is_regular_file(path, ignored) || !IsWhole(path))
   {
     return std::string();
   }
@@ -285,6 +293,10 @@ vtkSmartPointer<vtkImageData> ReadImage(const std::string& path)
   CheckImageExtension(path, "image");
   RecordInput(path);
   const std::string extension = Extension(path);
+  if (extension == ".png" && !IsWhole(path))
+  {
+    throw CommandError(BadInput, path + ": cannot be read as an image: the file is damaged");
+  }
   TakeErrors();
   const vtkSmartPointer<vtkImageData> image = extension == ".vti"
     ? Read<vtkXMLImageDataReader>(path)

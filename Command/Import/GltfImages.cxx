@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GltfImages.h"
 
+#include "Files/PngFile.h"
 #include "Files/TemporaryFile.h"
 #include "Processes/MessageLog.h"
 
@@ -12,7 +13,6 @@
 #include "vtkPNGWriter.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 
@@ -23,53 +23,6 @@ namespace
 {
 
 using Json = nlohmann::json;
-
-/// Checksum of a chunk [PNG annex D].
-std::uint32_t ComputeCrc(const unsigned char* begin, std::size_t size)
-{
-  std::uint32_t crc = 0xffffffffu;
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    crc ^= begin[i];
-    for (int bit = 0; bit < 8; ++bit)
-    {
-      crc = crc & 1u ? 0xedb88320u ^ (crc >> 1) : crc >> 1;
-    }
-  }
-  return ~crc;
-}
-
-/// Returns whether all chunks of a .png are complete and undamaged: vtkPNGReader may crash otherwise.
-bool HasIntactChunks(const std::string& bytes)
-{
-  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
-  const auto word = [data](std::size_t at) {
-    return static_cast<std::uint32_t>(data[at]) << 24 |
-      static_cast<std::uint32_t>(data[at + 1]) << 16 |
-      static_cast<std::uint32_t>(data[at + 2]) << 8 | data[at + 3];
-  };
-  constexpr std::size_t Signature = 8;
-  constexpr std::size_t Overhead = 12; // length, type and checksum
-  if (bytes.compare(Signature + 4, 4, "IHDR") != 0)
-  {
-    return false;
-  }
-  for (std::size_t at = Signature; bytes.size() - at >= Overhead;)
-  {
-    const std::size_t length = word(at);
-    if (length > bytes.size() - at - Overhead ||
-      word(at + 8 + length) != ComputeCrc(data + at + 4, length + 4))
-    {
-      return false;
-    }
-    if (bytes.compare(at + 4, 4, "IEND") == 0)
-    {
-      return true;
-    }
-    at += Overhead + length;
-  }
-  return false;
-}
 
 /// Decodes a temporary file: VTK 9.2 and 9.7 read images in memory in different ways.
 template <typename Reader>
@@ -121,7 +74,8 @@ std::string FindDecodableType(const std::string& bytes)
 {
   if (bytes.size() > 16 && bytes.compare(0, 4, "\x89PNG") == 0)
   {
-    return HasIntactChunks(bytes) && CanDecode<vtkPNGReader>(bytes) ? "image/png" : "";
+    return IsWholePng(bytes.data(), bytes.size()) && CanDecode<vtkPNGReader>(bytes) ? "image/png"
+                                                                                    : "";
   }
   if (bytes.compare(0, 3, "\xff\xd8\xff") == 0)
   {

@@ -31,6 +31,7 @@
 
 #include <filesystem>
 #include <map>
+#include <new>
 #include <sstream>
 
 namespace penumbra
@@ -161,6 +162,10 @@ private:
       image = path.empty() ? nullptr : ReadImage(path);
     }
     catch (const CommandError&)
+    {
+      image = nullptr;
+    }
+    catch (const std::bad_alloc&) // The size in the file is damaged.
     {
       image = nullptr;
     }

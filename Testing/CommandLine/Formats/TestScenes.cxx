@@ -386,6 +386,31 @@ TEST(ObjScenes, MissingFilesCauseOneWarning)
   EXPECT_NE(outcome.Errors.find("'none.mtl' are missing"), std::string::npos) << outcome.Errors;
 }
 
+TEST(ObjScenes, DamagedTexturesCauseOneWarning)
+{
+  const Folder folder("obj-damaged");
+  WriteObj(folder);
+  WriteTexture(folder / "colors.png");
+  const std::string whole = ReadText(folder / "colors.png");
+  std::string flipped = whole;
+  flipped[whole.find("IDAT") + 8] ^= 0x55;
+  const std::string plain = "newmtl Red one\nKd .8 .2 .1\nillum 1\nnewmtl textured\nKd 1 1 1\n";
+  WriteText(folder / "two colors.mtl", plain);
+  ASSERT_EQ(Render(folder, { "two.obj" }, "plain.png", CameraOptions).Errors, "");
+  WriteText(folder / "two colors.mtl", plain + "map_Kd colors.png\n");
+  for (const std::string& bytes : { whole.substr(0, whole.size() / 2), whole.substr(0, 40), flipped,
+         std::string("This is not an image."), std::string(1, '\0') })
+  {
+    WriteText(folder / "colors.png", bytes);
+    const ProgramResult outcome = Render(folder, { "two.obj" }, "two.png", CameraOptions);
+    EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
+    EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+    EXPECT_NE(outcome.Errors.find("colors.png' cannot be read"), std::string::npos)
+      << outcome.Errors;
+    EXPECT_EQ(Compare(folder / "plain.png", folder / "two.png")["metrics"]["max"], 0.0);
+  }
+}
+
 TEST(ObjScenes, ColorsOfVerticesAreShown)
 {
   const Folder folder("obj-colors");
