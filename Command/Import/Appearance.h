@@ -7,6 +7,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ class vtkPolyData;
 namespace penumbra
 {
 
+class TemporaryFile;
+
 /// Name of the cell array with the cell ids in the file, if they differ from those of the surface.
 constexpr const char* OriginalCellIds = "PenumbraOriginalCellIds";
 
@@ -30,7 +33,8 @@ struct Appearance
   std::vector<vtkSmartPointer<vtkActor>> Actors;
   std::vector<vtkSmartPointer<vtkLight>> Lights;
   std::vector<vtkSmartPointer<vtkCamera>> Cameras;
-  std::vector<std::string> Warnings; ///< without the name of the file
+  std::vector<std::string> Warnings;   ///< without the name of the file
+  std::shared_ptr<TemporaryFile> Copy; ///< file to import instead; null: none
 };
 
 /// Returns the data sets of `data`, the leaves of composite data in order.

@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GltfCopy.h"
 
+#include "Appearance.h"
 #include "Files/InputFiles.h"
 #include "Files/MappedFile.h"
 #include "Files/TemporaryFile.h"
+#include "GltfContainer.h"
 #include "GltfImages.h"
 #include "Processes/CommandError.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -28,100 +28,14 @@ namespace
 
 using Json = nlohmann::json;
 
-constexpr std::uint32_t JsonChunk = 0x4e4f534a;
-constexpr std::uint32_t BinaryChunk = 0x004e4942;
-
-std::uint32_t WordAt(const MappedFile& file, std::size_t offset)
-{
-  std::uint32_t word = 0;
-  if (offset + sizeof(word) <= file.Size())
-  {
-    std::memcpy(&word, file.Begin() + offset, sizeof(word));
-  }
-  return word;
-}
-
-/// The JSON text and the binary chunk, which is empty in .gltf files.
-struct Parts
-{
-  std::string Text;
-  std::string Binary;
-};
-
-Parts Split(const MappedFile& file)
-{
-  Parts parts;
-  if (file.Size() < 12 || std::memcmp(file.Begin(), "glTF", 4) != 0)
-  {
-    parts.Text.assign(file.Begin(), file.End());
-    return parts;
-  }
-  for (std::size_t at = 12; at + 8 <= file.Size();)
-  {
-    const std::size_t length = std::min<std::size_t>(WordAt(file, at), file.Size() - at - 8);
-    const std::uint32_t type = WordAt(file, at + 4);
-    std::string& part = type == JsonChunk ? parts.Text : parts.Binary;
-    if ((type == JsonChunk || type == BinaryChunk) && part.empty())
-    {
-      part.assign(file.Begin() + at + 8, length);
-    }
-    at += 8 + length;
-  }
-  return parts;
-}
-
-std::string DecodeBase64(const std::string& text)
-{
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text)
-  {
-    const std::size_t digit = digits.find(c);
-    if (digit == digits.npos)
-    {
-      continue;
-    }
-    bits = bits << 6 | static_cast<std::uint32_t>(digit);
-    count += 6;
-    if (count >= 8)
-    {
-      count -= 8;
-      bytes += static_cast<char>(bits >> count & 0xff);
-    }
-  }
-  return bytes;
-}
-
-std::string DecodePercents(const std::string& text)
-{
-  std::string decoded;
-  for (std::size_t i = 0; i < text.size(); ++i)
-  {
-    const bool isCode = text[i] == '%' && i + 2 < text.size() &&
-      std::isxdigit(static_cast<unsigned char>(text[i + 1])) &&
-      std::isxdigit(static_cast<unsigned char>(text[i + 2]));
-    decoded += isCode   ? static_cast<char>(std::strtol(text.substr(i + 1, 2).c_str(), nullptr, 16))
-      : text[i] == '\\' ? '/'
-                        : text[i];
-    i += isCode ? 2 : 0;
-  }
-  return decoded;
-}
-
 class Copy
 {
 public:
   explicit Copy(const std::string& path)
-    : Path(path)
+    : Path(path),
+      Source(ReadGltf(path)),
+      Root(Source.Root)
   {
-    const MappedFile file(path);
-    this->Version =
-      file.Size() >= 8 && std::memcmp(file.Begin(), "glTF", 4) == 0 ? WordAt(file, 4) : 2;
-    Parts parts = Split(file);
-    this->Root = Json::parse(parts.Text, nullptr, false);
-    this->Binary.swap(parts.Binary);
   }
 
   /// Throws CommandError if the file is of version 1, whose lists are JSON objects.
@@ -129,7 +43,7 @@ public:
   {
     const bool isText1 =
       this->Root.is_object() && this->Root.contains("meshes") && this->Root["meshes"].is_object();
-    if (isText1 || this->Version == 1)
+    if (isText1 || this->Source.Version == 1)
     {
       this->Fail("files of glTF 1 cannot be read; convert it to glTF 2, for example with "
                  "gltf-pipeline");
@@ -155,8 +69,8 @@ public:
       this->Root.contains("textures") || this->Root.contains("extensionsRequired");
   }
 
-  /// Writes the copy and returns its path. `warnings`: null to leave materials out.
-  std::string Write(std::vector<std::string>* warnings)
+  /// Makes one buffer and dense accessors.
+  void SimplifyGeometry()
   {
     this->RefuseCompression();
     this->JoinBuffers();
@@ -165,19 +79,35 @@ public:
       this->MakeDense(accessor);
     }
     this->RemoveExtensions();
-    if (warnings)
-    {
-      this->EmbedImages(*warnings);
-    }
-    else
-    {
-      this->RemoveMaterials();
-    }
-    this->Root["buffers"] = Json::array({ { { "byteLength", this->Joined.size() } } });
-    return this->WriteBinary();
+  }
+
+  /// Writes a copy with materials and images and returns its path.
+  std::string WriteScene(std::vector<std::string>& warnings)
+  {
+    const std::size_t views = this->Root["bufferViews"].size();
+    const std::size_t bytes = this->Joined.size();
+    this->EmbedImages(warnings);
+    std::string path = this->Write();
+    Json::array_t& list = this->Root["bufferViews"].get_ref<Json::array_t&>();
+    list.erase(list.begin() + static_cast<std::ptrdiff_t>(views), list.end());
+    this->Joined.resize(bytes);
+    return path;
+  }
+
+  /// Writes a copy without materials and returns its path. Call last.
+  std::string WriteGeometry()
+  {
+    this->RemoveMaterials();
+    return this->Write();
   }
 
 private:
+  std::string Write()
+  {
+    this->Root["buffers"] = Json::array({ { { "byteLength", this->Joined.size() } } });
+    return WriteGlb(this->Root, this->Joined, this->Path);
+  }
+
   const Json& List(const char* name) const
   {
     static const Json empty = Json::array();
@@ -207,13 +137,13 @@ private:
     const std::string uri = buffer.value("uri", std::string());
     if (uri.empty())
     {
-      return this->Binary;
+      return this->Source.Binary;
     }
     if (uri.compare(0, 5, "data:") == 0)
     {
-      return DecodeBase64(uri.substr(std::min(uri.find(','), uri.size())));
+      return DecodeDataUri(uri);
     }
-    const std::string name = DecodePercents(uri);
+    const std::string name = DecodePath(uri);
     const MappedFile file((std::filesystem::path(this->Path).parent_path() / name).string());
     if (file.Size() == 0)
     {
@@ -348,10 +278,10 @@ private:
     const std::string uri = image.value("uri", std::string());
     if (uri.compare(0, 5, "data:") == 0)
     {
-      return DecodeBase64(uri.substr(std::min(uri.find(','), uri.size())));
+      return DecodeDataUri(uri);
     }
     const std::filesystem::path folder = std::filesystem::path(this->Path).parent_path();
-    const std::filesystem::path name = DecodePercents(uri);
+    const std::filesystem::path name = DecodePath(uri);
     for (const std::filesystem::path& path : { folder / name, folder / name.filename() })
     {
       const bool isFile = !uri.empty() && uri.find("://") == uri.npos;
@@ -369,7 +299,7 @@ private:
   {
     const std::string uri = image.value("uri", std::string());
     const bool isFile = !uri.empty() && uri.compare(0, 5, "data:") != 0;
-    return isFile ? "'" + DecodePercents(uri) + "'" : std::to_string(index);
+    return isFile ? "'" + DecodePath(uri) + "'" : std::to_string(index);
   }
 
   /// Moves all images to the buffer. Those that are missing or that VTK cannot decode are not used.
@@ -425,60 +355,33 @@ private:
     }
   }
 
-  std::string WriteBinary() const
-  {
-    std::string text = this->Root.dump();
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    const std::string name = CreateTemporaryFile(".glb");
-    if (name.empty())
-    {
-      this->Fail("no temporary file can be created in " +
-        std::filesystem::temp_directory_path().string() + "; set TMPDIR to another folder");
-    }
-    std::ofstream file(name, std::ios::binary);
-    const auto padded = static_cast<std::uint32_t>((this->Joined.size() + 3) / 4 * 4);
-    const auto length = static_cast<std::uint32_t>(28 + text.size() + padded);
-    const auto writeWords = [&file](std::initializer_list<std::uint32_t> words) {
-      for (const std::uint32_t word : words)
-      {
-        file.write(reinterpret_cast<const char*>(&word), sizeof(word));
-      }
-    };
-    writeWords({ 0x46546c67, 2, length, static_cast<std::uint32_t>(text.size()), JsonChunk });
-    file << text;
-    writeWords({ padded, BinaryChunk });
-    file << this->Joined << std::string(padded - this->Joined.size(), '\0');
-    file.close();
-    if (!file)
-    {
-      std::filesystem::remove(name);
-      this->Fail("its copy cannot be written to " + name + "; set TMPDIR to another folder");
-    }
-    return name;
-  }
-
   /// Elements that a sparse accessor may have without a buffer: 2^28, at most 16 GiB.
   static constexpr std::size_t MaximumSparseCount = std::size_t(1) << 28;
 
   const std::string& Path;
-  std::uint32_t Version = 2;
-  Json Root;
-  std::string Binary; ///< chunk of a .glb file
+  GltfContainer Source;
+  Json& Root;
   std::string Joined; ///< all buffers
 };
 
 }
 
-namespace
-{
-
-std::string CopyGltf(const std::string& path, std::vector<std::string>* warnings)
+std::string CopyGltf(const std::string& path, Appearance* appearance)
 {
   try
   {
     Copy copy(path);
     copy.RefuseVersion1();
-    return copy.IsNeeded() ? copy.Write(warnings) : std::string();
+    if (!copy.IsNeeded())
+    {
+      return {};
+    }
+    copy.SimplifyGeometry();
+    if (appearance)
+    {
+      appearance->Copy = std::make_shared<TemporaryFile>(copy.WriteScene(appearance->Warnings));
+    }
+    return copy.WriteGeometry();
   }
   catch (const Json::exception&)
   {
@@ -487,18 +390,6 @@ std::string CopyGltf(const std::string& path, std::vector<std::string>* warnings
         ": the file is damaged or not glTF 2: a value is missing or has a wrong type; export "
         "it again");
   }
-}
-
-}
-
-std::string CopyGltfGeometry(const std::string& path)
-{
-  return CopyGltf(path, nullptr);
-}
-
-std::string CopyGltfScene(const std::string& path, std::vector<std::string>& warnings)
-{
-  return CopyGltf(path, &warnings);
 }
 
 }

@@ -6,7 +6,6 @@
 #include "Appearance.h"
 
 #include "Files/TemporaryFile.h"
-#include "GltfCopy.h"
 #include "ImporterScene.h"
 #include "Processes/MessageLog.h"
 
@@ -133,10 +132,9 @@ std::vector<vtkSmartPointer<vtkActor>> MatchActors(
 vtkSmartPointer<vtkDataObject> ImportGltf(
   const std::string& path, vtkDataObject* data, Appearance& appearance)
 {
-  const TemporaryFile copy(CopyGltfScene(path, appearance.Warnings));
   TakeErrors();
   vtkNew<vtkGLTFImporter> importer;
-  importer->SetFileName(copy.Path.empty() ? path.c_str() : copy.Path.c_str());
+  importer->SetFileName(appearance.Copy ? appearance.Copy->Path.c_str() : path.c_str());
   vtkRenderer* renderer = RunImporter(importer);
   const std::vector<std::string> errors = TakeErrors();
   appearance.Actors = MatchActors(data, GetActors(renderer));

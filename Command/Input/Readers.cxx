@@ -140,7 +140,7 @@ std::vector<ReaderRow> MakeTable()
     { { ".obj" }, "Wavefront", "Penumbra", nullptr, ReadObj, nullptr, nullptr, nullptr, ImportObj },
     { { ".off" }, "Object File Format", "Penumbra", nullptr, ReadOff },
     { { ".gltf", ".glb" }, "glTF 2", PENUMBRA_READER(vtkGLTFReader), nullptr, CorrectWindings,
-      CopyGltfGeometry, nullptr, ImportGltf },
+      CopyGltf, nullptr, ImportGltf },
     { { ".3ds" }, "3D Studio", "vtk3DSImporter", nullptr, Read3ds, nullptr, nullptr, nullptr,
       Import3ds },
     { { ".wrl", ".vrml" }, "VRML 2", "vtkVRMLImporter", nullptr, ReadVrml, nullptr, nullptr,
@@ -250,53 +250,9 @@ void CheckFile(const std::string& path)
   throw CommandError(BadInput, path + ": the file is damaged or not " + row.Format + ": " + reason);
 }
 
-}
-
-const std::vector<ReaderRow>& Readers()
-{
-  static const std::vector<ReaderRow> table = MakeTable();
-  return table;
-}
-
-std::vector<double> ReadTimes(const std::string& path)
-{
-  const ReaderRow& row = FindReader(path);
-  CheckFile(path);
-  if (IsFileSeries(path))
-  {
-    std::vector<double> times;
-    for (const SeriesStep& step : ReadFileSeries(path))
-    {
-      times.push_back(step.Time);
-    }
-    return times;
-  }
-  TakeErrors();
-  const TemporaryFile copy(row.Prepare ? row.Prepare(path) : std::string());
-  const std::vector<double> times = UpdateTimes(row.Make(copy.Path.empty() ? path : copy.Path));
-  const std::vector<std::string> errors = TakeErrors();
-  if (!errors.empty())
-  {
-    FailReading(path, row, errors.front());
-  }
-  return times;
-}
-
-bool MayHaveLights(const std::string& path)
-{
-  const ReaderRow& row = FindReader(path);
-  return row.Import && row.Import != ImportObj;
-}
-
-vtkSmartPointer<vtkDataObject> ReadScene(
-  const std::string& path, std::optional<double> time, Appearance& appearance)
-{
-  const vtkSmartPointer<vtkDataObject> data = ReadFile(path, time);
-  const ReaderRow& row = FindReader(path);
-  return row.Import ? row.Import(path, data, appearance) : data;
-}
-
-vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path, std::optional<double> time)
+/// Reads a file; `appearance`: null if it is not read.
+vtkSmartPointer<vtkDataObject> ReadData(
+  const std::string& path, std::optional<double> time, Appearance* appearance)
 {
   const ReaderRow& row = FindReader(path);
   CheckFile(path);
@@ -310,7 +266,7 @@ vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path, std::optional<d
     return row.Read(path);
   }
   TakeErrors();
-  const TemporaryFile copy(row.Prepare ? row.Prepare(path) : std::string());
+  const TemporaryFile copy(row.Prepare ? row.Prepare(path, appearance) : std::string());
   const Algorithm reader = row.Make(copy.Path.empty() ? path : copy.Path);
   if (time)
   {
@@ -339,6 +295,57 @@ vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path, std::optional<d
     row.Complete(reader, path, data);
   }
   return data;
+}
+
+}
+
+const std::vector<ReaderRow>& Readers()
+{
+  static const std::vector<ReaderRow> table = MakeTable();
+  return table;
+}
+
+std::vector<double> ReadTimes(const std::string& path)
+{
+  const ReaderRow& row = FindReader(path);
+  CheckFile(path);
+  if (IsFileSeries(path))
+  {
+    std::vector<double> times;
+    for (const SeriesStep& step : ReadFileSeries(path))
+    {
+      times.push_back(step.Time);
+    }
+    return times;
+  }
+  TakeErrors();
+  const TemporaryFile copy(row.Prepare ? row.Prepare(path, nullptr) : std::string());
+  const std::vector<double> times = UpdateTimes(row.Make(copy.Path.empty() ? path : copy.Path));
+  const std::vector<std::string> errors = TakeErrors();
+  if (!errors.empty())
+  {
+    FailReading(path, row, errors.front());
+  }
+  return times;
+}
+
+bool MayHaveLights(const std::string& path)
+{
+  const ReaderRow& row = FindReader(path);
+  return row.Import && row.Import != ImportObj;
+}
+
+vtkSmartPointer<vtkDataObject> ReadScene(
+  const std::string& path, std::optional<double> time, Appearance& appearance)
+{
+  const vtkSmartPointer<vtkDataObject> data = ReadData(path, time, &appearance);
+  const ReaderRow& row = FindReader(path);
+  return row.Import ? row.Import(path, data, appearance) : data;
+}
+
+vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path, std::optional<double> time)
+{
+  return ReadData(path, time, nullptr);
 }
 
 }

@@ -28,8 +28,9 @@ struct ReaderRow
   vtkSmartPointer<vtkDataObject> (*Read)(const std::string& path) = nullptr;
   /// Corrects what the algorithm of Make read; null: nothing to correct.
   void (*Complete)(vtkAlgorithm* reader, const std::string& path, vtkDataObject* data) = nullptr;
-  /// Returns a temporary file to read instead, or an empty path; null: reads the file.
-  std::string (*Prepare)(const std::string& path) = nullptr;
+  /// Returns a temporary file to read instead, or an empty path; null: reads the file. May set the
+  /// Copy of an appearance that is not null.
+  std::string (*Prepare)(const std::string& path, Appearance* appearance) = nullptr;
   /// Returns whether the contents are of this format; null: the extension decides.
   bool (*Recognizes)(const std::string& path) = nullptr;
   /// Reads the appearance of the surfaces `data`, see Appearance.h; null: the format has none.
