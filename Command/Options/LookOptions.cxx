@@ -12,6 +12,10 @@ namespace penumbra
 namespace
 {
 
+/// Angular diameter of the sun, in degrees. The real one, 0.5, gives shadows whose penumbrae are
+/// narrower than a pixel in most images.
+constexpr double SunAngle = 3.0;
+
 const std::vector<Look>& Looks()
 {
   static const std::vector<Look> looks = {
@@ -97,6 +101,7 @@ void ApplyLook(const CommandLine& app, RenderOptions& options)
     if (ray)
     {
       defaults.Set("--shadows", options.Shadows, true);
+      defaults.Set("--light-angle", options.LightAngle, SunAngle);
       defaults.Set("--indirect", options.Light.Indirect, true);
       defaults.Set(
         "--environment-color", options.Light.EnvironmentColor, Vector3{ 0.42, 0.5, 0.62 });

@@ -94,6 +94,23 @@ TEST(Looks, LightFromAbove)
   }
 }
 
+TEST(Looks, SunOfOutdoorHasPenumbrae)
+{
+  const Folder folder("sun");
+  const auto render = [&](const std::string& image, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = { "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
+      "--output", folder / image, "--resolution", "160,100", "--look", "outdoor",
+      "--camera-view-up", "+Z" };
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(RunProgram(arguments).Status, 0);
+  };
+  render("default.png", {});
+  render("soft.png", { "--light-angle", "3" });
+  render("hard.png", { "--light-angle", "0" });
+  EXPECT_EQ(ReadText(folder / "default.png"), ReadText(folder / "soft.png"));
+  EXPECT_GT(Compare(folder / "hard.png", folder / "soft.png")["metrics"]["max"], 0.05);
+}
+
 TEST(Looks, OptionsReplaceTheirSettings)
 {
   const Folder folder("replace");
