@@ -9,6 +9,7 @@
 #include "Input/Readers.h"
 #include "Input/Surfaces.h"
 #include "MediumSetup.h"
+#include "ObjectNames.h"
 #include "Options/Falloffs.h"
 #include "Options/RenderOptions.h"
 #include "Processes/Clock.h"
@@ -230,6 +231,10 @@ RenderResult Draw(vtkPenumbraRayCaster* caster, vtkRenderer* renderer, const Ren
   const Clock::time_point end = Clock::now();
   caster->RemoveObserver(observer);
   caster->RemoveObserver(warningObserver);
+  for (std::string& warning : result.Warnings)
+  {
+    warning = NameObjects(warning, renderer);
+  }
   const std::vector<std::string> errors = TakeErrors();
   if (const std::string refusal = FindMemoryRefusal(errors); !refusal.empty())
   {

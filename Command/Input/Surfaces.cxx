@@ -171,6 +171,14 @@ vtkSmartPointer<vtkDataSet> AddCellIds(vtkDataSet* data)
   return copy;
 }
 
+/// Returns the name of the file, and of the data set if there are several.
+std::string NameSource(const std::string& path, std::size_t dataSet, std::size_t dataSets)
+{
+  return dataSets > 1
+    ? path + " (part " + std::to_string(dataSet + 1) + " of " + std::to_string(dataSets) + ")"
+    : path;
+}
+
 Surfaces ExtractSurfaces(
   vtkDataObject* data, Appearance appearance, const CutList& cuts, const std::string& path)
 {
@@ -209,6 +217,7 @@ Surfaces ExtractSurfaces(
     {
       surfaces.RoundingStep = std::max(surfaces.RoundingStep, FindRoundingStep(mesh));
       surfaces.Meshes.push_back(mesh);
+      surfaces.Names.push_back(NameSource(path, i, dataSets.size()));
       surfaces.Actors.push_back(appearance.Actors[i]);
     }
   }
@@ -276,6 +285,7 @@ void Surfaces::Append(const Surfaces& other)
     all.insert(all.end(), more.begin(), more.end());
   };
   append(this->Meshes, other.Meshes);
+  append(this->Names, other.Names);
   append(this->Actors, other.Actors);
   append(this->Lights, other.Lights);
   append(this->Cameras, other.Cameras);

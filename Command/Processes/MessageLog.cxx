@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <mutex>
+#include <regex>
+#include <utility>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -77,12 +79,33 @@ int OpenLogFile(const std::string& path)
   return open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (full ? O_TRUNC : O_APPEND), 0666);
 }
 
+/// Replaces objects, such as "vtkMapper (0x61c0)", by words.
+std::string ReplaceObjects(const std::string& message)
+{
+  static const std::pair<std::regex, const char*> rules[] = {
+    { std::regex("Algorithm vtk\\w+ ?\\(0x[0-9a-f]+\\) returned failure for request: .*"),
+      "the file could not be read completely" },
+    { std::regex("Input port \\d+ of algorithm vtk\\w+ ?\\(0x[0-9a-f]+\\) has 0 connections but is "
+                 "not optional"),
+      "an object has no geometry" },
+    { std::regex("vtk\\w+ ?\\(0x[0-9a-f]+\\)"), "an object" },
+    { std::regex(" ?\\(?\\b0x[0-9a-f]{6,}\\b\\)?"), "" },
+  };
+  std::string words = message;
+  for (const auto& [pattern, replacement] : rules)
+  {
+    words = std::regex_replace(words, pattern, replacement);
+  }
+  return words;
+}
+
 }
 
 namespace penumbra
 {
 
-// VTK formats messages as "ERROR: In file.cxx, line 1\nvtkClass (0x1): message\n\n".
+// VTK formats messages as "ERROR: In file.cxx, line 1\nvtkClass (0x1): message\n\n". The message may name further
+// objects, which users of a program do not know.
 std::string StripMessagePrefix(const std::string& text)
 {
   std::size_t begin = text.find("): ");
@@ -95,7 +118,7 @@ std::string StripMessagePrefix(const std::string& text)
   }
   std::string message = text.substr(begin, text.find('\n', begin) - begin);
   message.erase(message.find_last_not_of(" .\t\r") + 1);
-  return message;
+  return ReplaceObjects(message);
 }
 
 void OpenLog()

@@ -16,6 +16,7 @@
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkCleanPolyData.h"
+#include "vtkFieldData.h"
 #include "vtkLight.h"
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
@@ -24,6 +25,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkRenderer.h"
+#include "vtkStringArray.h"
 // VTK 9.2 lacks this filter; its rasterizer shows the edges between the parts of curved cells.
 #if __has_include("vtkRecoverGeometryWireframe.h")
 #define PENUMBRA_HAS_RECOVER_GEOMETRY_WIREFRAME
@@ -98,6 +100,18 @@ vtkSmartPointer<vtkPolyData> HideInnerEdges(vtkPolyData* mesh)
   return mesh;
 }
 #endif
+
+/// Returns the mesh with its name, for messages.
+vtkSmartPointer<vtkPolyData> AddName(vtkPolyData* mesh, const std::string& name)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(SourceName);
+  array->InsertNextValue(name);
+  auto named = vtkSmartPointer<vtkPolyData>::New();
+  named->ShallowCopy(mesh);
+  named->GetFieldData()->AddArray(array);
+  return named;
+}
 
 void AddLights(vtkRenderer* renderer, const Surfaces& surfaces, const RenderOptions& options)
 {
@@ -196,7 +210,8 @@ vtkSmartPointer<vtkRenderer> BuildScene(
     {
       drawn = HideInnerEdges(drawn);
     }
-    const auto mapper = MakeMapper(AddTangents(drawn, material), material);
+    drawn = AddName(AddTangents(drawn, material), surfaces.Names[i]);
+    const auto mapper = MakeMapper(drawn, material);
     mappers.push_back(mapper);
     renderer->AddActor(MakeActor(mapper, material, options, unitsPerPoint));
   }

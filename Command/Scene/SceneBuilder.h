@@ -16,6 +16,9 @@ namespace penumbra
 struct RenderOptions;
 struct Surfaces;
 
+/// Name of the field array with the name of a surface, see Surfaces::Names.
+constexpr const char* SourceName = "PenumbraSourceName";
+
 /// Builds actors, lights, background and camera. `unitsPerPoint`: units of VTK's line widths and
 /// point sizes per point of 1/72 inch. Throws CommandError if a color
 /// array or the camera of --camera-index does not exist.

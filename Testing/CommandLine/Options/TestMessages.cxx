@@ -2,8 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Warnings and errors name options of the program, not classes and their properties.
+#include "Engines/ObjectNames.h"
+#include "Input/Surfaces.h"
 #include "Meshes.h"
+#include "Processes/MessageLog.h"
 #include "Program.h"
+#include "Scene/SceneBuilder.h"
+
+#include "vtkActor.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
+#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
@@ -70,6 +82,70 @@ TEST(Messages, EnvironmentImagesNameTheirOption)
     folder / "a.png", "--indirect", "--hdri-file", folder / "volume.vti" });
   EXPECT_EQ(outcome.Status, 2);
   ExpectOptions(outcome, "--hdri-file");
+}
+
+TEST(Messages, ObjectsAreNamedByTheirFile)
+{
+  vtkNew<vtkRenderer> renderer;
+  for (const char* name : { "a.glb (part 1 of 2)", "a.glb (part 2 of 2)", "b.vtp" })
+  {
+    vtkNew<vtkStringArray> source;
+    source->SetName(penumbra::SourceName);
+    source->InsertNextValue(name);
+    vtkNew<vtkPolyData> mesh;
+    mesh->GetFieldData()->AddArray(source);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(mesh);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    renderer->AddActor(actor);
+  }
+  EXPECT_EQ(penumbra::NameObjects("Object 2: 3 cells were skipped.", renderer),
+    "b.vtp: 3 cells were skipped.");
+  EXPECT_EQ(
+    penumbra::NameObjects("Object 1, Object 2 and 4 more: Object 0 is not named.", renderer),
+    "a.glb (part 2 of 2), b.vtp and 4 more: Object 0 is not named.");
+  EXPECT_EQ(penumbra::NameObjects("Object 0 (vtkMapper): x", renderer),
+    "a.glb (part 1 of 2) (vtkMapper): x");
+  EXPECT_EQ(penumbra::NameObjects("Object 7: x", renderer), "Object 7: x");
+  EXPECT_EQ(penumbra::NameObjects("All: Object 0", renderer), "All: Object 0");
+}
+
+TEST(Messages, SurfacesAreNamedByTheirFileAndPart)
+{
+  const Folder folder("names");
+  for (const std::string& file : WriteSpheres(folder.Path))
+  {
+    const bool isMultiBlock = file.find(".vtm") != file.npos;
+    if (isMultiBlock || file.find(".vtp") != file.npos)
+    {
+      const penumbra::Surfaces surfaces = penumbra::ReadSurfaces(folder / file);
+      ASSERT_EQ(surfaces.Names.size(), surfaces.Meshes.size());
+      const std::string count = std::to_string(surfaces.Meshes.size());
+      EXPECT_EQ(surfaces.Names.back(),
+        folder / file +
+          (surfaces.Meshes.size() > 1 ? " (part " + count + " of " + count + ")" : ""));
+    }
+  }
+}
+
+TEST(Messages, ErrorsOfVTKContainNoPointers)
+{
+  const std::string head = "ERROR: In a.cxx, line 1\nvtkCompositeDataPipeline (0x61c000001080): ";
+  EXPECT_EQ(
+    penumbra::StripMessagePrefix(head +
+      "Input port 0 of algorithm vtkOpenGLPolyDataMapper (0x61c000001080) has 0 connections "
+      "but is not optional.\n\n"),
+    "an object has no geometry");
+  EXPECT_EQ(penumbra::StripMessagePrefix(head +
+              "Algorithm vtkGLTFReader (0x55d0c0ffee00) returned failure for request: "
+              "vtkInformation (0x55d0c0ffee10)\n  Debug: Off\n"),
+    "the file could not be read completely");
+  EXPECT_EQ(
+    penumbra::StripMessagePrefix(head + "The array of vtkPolyData (0x55d0c0ffee20) is empty."),
+    "The array of an object is empty");
+  EXPECT_EQ(penumbra::StripMessagePrefix(head + "The magic number is 0x1f8b"),
+    "The magic number is 0x1f8b");
 }
 
 }
