@@ -2,11 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Colormaps.h"
 
+#include "Files/ImageFiles.h"
+#include "Parsing/Arguments.h"
+#include "Processes/CommandError.h"
+
 #include "vtkColorTransferFunction.h"
+#include "vtkImageData.h"
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 
 namespace penumbra
 {
@@ -99,6 +106,30 @@ bool FillFunction(vtkColorTransferFunction* function, const std::string& name)
   return false;
 }
 
+/// Fills `function` with the colors of the lowest row of an image.
+void FillFromImage(vtkColorTransferFunction* function, const std::string& path)
+{
+  const vtkSmartPointer<vtkImageData> image = ReadImage(path);
+  const int width = image->GetDimensions()[0];
+  const int channels = image->GetNumberOfScalarComponents();
+  const double scale = image->GetScalarType() == VTK_UNSIGNED_CHAR ? 255.0
+    : image->GetScalarType() == VTK_UNSIGNED_SHORT                 ? 65535.0
+                                                                   : 1.0;
+  if (channels < 3)
+  {
+    throw CommandError(BadInput, "--colormap " + path + ": the image has no colors");
+  }
+  for (int x = 0; x < width; ++x)
+  {
+    double color[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      color[c] = image->GetScalarComponentAsDouble(x, 0, 0, c) / scale;
+    }
+    function->AddRGBPoint(x / std::max(width - 1.0, 1.0), color[0], color[1], color[2]);
+  }
+}
+
 }
 
 std::vector<std::string> ColormapNames()
@@ -112,12 +143,30 @@ std::vector<std::string> ColormapNames()
   return names;
 }
 
+std::string FindColormap(const std::string& text)
+{
+  const std::vector<std::string> names = ColormapNames();
+  const std::filesystem::path path(text);
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(path, ignored))
+  {
+    return text;
+  }
+  const std::string stem = path.has_parent_path() ? text : path.stem().string();
+  if (!std::count(names.begin(), names.end(), stem))
+  {
+    throw InvalidValue(
+      "--colormap", "'" + text + "' is not an image or one of " + Join(names, ", "));
+  }
+  return stem;
+}
+
 vtkSmartPointer<vtkLookupTable> MakeColormap(const std::string& name)
 {
   vtkNew<vtkColorTransferFunction> function;
   if (!FillFunction(function, name))
   {
-    return nullptr;
+    FillFromImage(function, name);
   }
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   const int colors = 256;

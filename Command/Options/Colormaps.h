@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The named colormaps of --colormap.
+// The colormaps of --colormap: named ones, and those of images.
 #ifndef penumbra_Colormaps_h
 #define penumbra_Colormaps_h
 
@@ -17,7 +17,12 @@ namespace penumbra
 
 std::vector<std::string> ColormapNames();
 
-/// Returns a lookup table of 256 colors over [0, 1] with gray for NaN; null if the name is unknown.
+/// Returns the name of a colormap, or the path of an image. `text`: either of them, or the name with
+/// the extension of an image. Throws InvalidValue.
+std::string FindColormap(const std::string& text);
+
+/// Returns a lookup table of 256 colors over [0, 1] with gray for NaN. `name`: of FindColormap().
+/// Throws CommandError if an image cannot be read.
 vtkSmartPointer<vtkLookupTable> MakeColormap(const std::string& name);
 
 }

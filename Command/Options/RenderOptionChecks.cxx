@@ -11,6 +11,8 @@
 #include "Processes/CommandError.h"
 #include "Processes/Worker.h"
 
+#include "vtkMath.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -69,6 +71,27 @@ void RequireEngine(const CommandLine& app, const RenderOptions& options)
   }
 }
 
+/// Sets the up direction and the view from the front that --up requests, as F3D.
+void CompleteUp(RenderOptions& options)
+{
+  CameraOptions& camera = options.Camera;
+  if (!camera.SceneUp)
+  {
+    return;
+  }
+  const Vector3& up = *camera.SceneUp;
+  const bool isAlongX = up[1] == 0.0 && up[2] == 0.0;
+  const Vector3 right = isAlongX ? Vector3{ 0, 1, 0 } : Vector3{ 1, 0, 0 };
+  camera.ViewUp = camera.ViewUp.value_or(up);
+  options.Light.EnvironmentUp = options.Light.EnvironmentUp.value_or(up);
+  if (!camera.Direction && options.Look == "plain") // Other looks have a view that suits ViewUp.
+  {
+    Vector3 direction;
+    vtkMath::Cross(up.data(), right.data(), direction.data());
+    camera.Direction = direction;
+  }
+}
+
 }
 
 void CompleteRenderOptions(const CommandLine& app, RenderOptions& options)
@@ -76,6 +99,7 @@ void CompleteRenderOptions(const CommandLine& app, RenderOptions& options)
   ColoringOptions& coloring = options.Coloring;
   coloring.Enabled = coloring.Enabled || !coloring.Array.empty();
   coloring.Component = coloring.ValuesAreColors ? -2 : coloring.Component;
+  CompleteUp(options);
   ApplyLook(app, options);
 }
 
@@ -84,6 +108,12 @@ void CheckRenderOptions(const CommandLine& app, const RenderOptions& options)
   CheckOutputExtension(options.Output, "--output");
   RequireEngine(app, options);
   RequireColoring(app, options);
+  if (app.Count("--point-sprites") > 0 && options.PointSprites != "none")
+  {
+    throw CommandError(BadInput,
+      "--point-sprites: an option of F3D; use --representation points with --point-size or "
+      "--point-radius");
+  }
   CheckShaftOptions(app, options.Shafts);
   CheckTimeOptions(app);
   if (!options.Background && !SupportsAlpha(options.Output))

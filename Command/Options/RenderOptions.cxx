@@ -108,6 +108,10 @@ void DeclareCamera(const CommandLine& app, CameraOptions& camera)
   AddTriple(app, "--camera-focal-point", camera.FocalPoint,
     "Focal point; default: the center of the bounds", Coordinate);
   AddDirection(app, "--camera-view-up", camera.ViewUp, "Up direction; default: 0,1,0");
+  AddDirection(app, "--up", camera.SceneUp,
+    "Up direction of the scene, seen from the front: --camera-view-up, and a --camera-direction "
+    "that suits it")
+    .Group("Camera");
   AddDirection(app, "--camera-direction", camera.Direction,
     "View direction, at a distance that fits the bounds; default: 0,0,-1; ignored with "
     "--camera-position");
@@ -238,10 +242,17 @@ void DeclareColoring(const CommandLine& app, ColoringOptions& coloring)
     .AddFlag("-c,--coloring-by-cells,--cells", coloring.ByCells,
       "Use a cell array instead of a point array")
     .Group(group);
-  AddChoice(app, "--colormap", coloring.Colormap, ColormapNames(),
-    "Colormap; without this option, colors that the file gives to its values are used")
-    .Each([&coloring](const std::string&) { coloring.HasColormap = true; })
-    .TypeName("NAME")
+  const auto storeColormap = [&coloring](const std::string& text) {
+    coloring.Colormap = FindColormap(text);
+    coloring.HasColormap = true;
+  };
+  app
+    .AddParsed("--colormap,--colormap-file", storeColormap,
+      "Colormap, or an image whose lowest row has its colors; without this option, colors that the "
+      "file gives to its values are used")
+    .TypeName(Join(ColormapNames(), "|") + "|FILE")
+    .Default(coloring.Colormap)
+    .TakeLast()
     .Group(group);
   app.AddFlag("-b,--coloring-scalar-bar,--bar", coloring.ScalarBar, "Draw the scalar bar")
     .Group(group);
@@ -256,6 +267,7 @@ void DeclareText(const CommandLine& app, RenderOptions& options)
     .TypeName("STRING")
     .TakeLast()
     .Group("Time");
+  app.AddFlag("-n,--filename", options.FileNameLabel, "Show the names of the files").Group("Time");
   app.AddFlag("--time-label", options.TimeLabel, "Show the time of the image").Group("Time");
 }
 
@@ -263,7 +275,7 @@ void DeclareLight(const CommandLine& app, LightOptions& light)
 {
   const std::string group = "Effects";
   app
-    .AddFlag("--indirect", light.Indirect,
+    .AddFlag("-f,--indirect,--hdri-ambient", light.Indirect,
       "Add diffuse light from other surfaces and from the environment (ray)")
     .Group(group);
   AddTriple(app, "--environment-color", light.EnvironmentColor,
@@ -348,6 +360,12 @@ void DeclareRedundant(const CommandLine& app, RenderOptions& options)
     }
   };
   app.AddParsed("--multi-file-mode", storeMode, "").Group("");
+  app.AddIgnored("--point-sprites", options.PointSprites);
+  // The tolerance decides.
+  const auto checkSamples = [](const std::string& text) {
+    ParseNumbers("--raytracing-samples", text, 1, 1, { 1.0, 1e9 });
+  };
+  app.AddParsed("--raytracing-samples,--samples", checkSamples, "").Group("");
 }
 
 }

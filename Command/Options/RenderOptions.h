@@ -26,6 +26,7 @@ struct CameraOptions
   std::optional<Vector3> Position;
   std::optional<Vector3> FocalPoint;
   std::optional<Vector3> ViewUp;
+  std::optional<Vector3> SceneUp; ///< sets ViewUp and Direction that are not given
   std::optional<Vector3> Direction;
   double ViewAngle = 30.0;
   bool HasViewAngle = false; ///< --camera-view-angle is on the command line
@@ -46,8 +47,8 @@ struct ColoringOptions
   std::vector<double> Range;    ///< empty: the data range
   bool RangeOfAllSteps = false; ///< of the data range: over all time steps
   bool ByCells = false;
-  std::string Colormap = "viridis";
-  bool HasColormap = false; ///< --colormap is on the command line
+  std::string Colormap = "viridis"; ///< name, or path of an image
+  bool HasColormap = false;         ///< --colormap is on the command line
   bool ScalarBar = false;
   ScalarBarOptions Bar;
   bool ValuesAreColors = false; ///< -y: Component is -2
@@ -79,6 +80,7 @@ struct RenderOptions
 
   std::string Look = "plain"; ///< see LookOptions.h
   std::string RedundantMode;  ///< of options of F3D that request what is always done
+  std::string PointSprites;   ///< of F3D; must be "none"
   std::string Configuration;  ///< path; the parser has inserted its options
   CameraOptions Camera;
   ColoringOptions Coloring;
@@ -125,6 +127,7 @@ struct RenderOptions
   std::string TimeText;            ///< of ShownTime
   std::string Text;                ///< in the upper left corner; {time} is replaced
   bool TimeLabel = false;
+  bool FileNameLabel = false;
 
   std::string Statistics;
   std::string Progress = "auto";

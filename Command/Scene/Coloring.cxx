@@ -32,12 +32,25 @@ vtkDataSetAttributes* Attributes(vtkPolyDataMapper* mapper, bool cells)
   return cells ? static_cast<vtkDataSetAttributes*>(mesh->GetCellData()) : mesh->GetPointData();
 }
 
-// Returns whether the array is a candidate for coloring; normals and texture coordinates are not.
+/// Returns whether the file has the array.
+bool IsOfFile(vtkDataArray* array)
+{
+  return array && array->GetName() && std::string(array->GetName()) != OriginalCellIds &&
+    std::string(array->GetName()) != CurvedFaces;
+}
+
+/// Returns whether the array is a candidate for coloring; normals and texture coordinates must be
+/// named.
 bool IsColorable(vtkDataSetAttributes* attributes, vtkDataArray* array)
 {
-  return array && array->GetName() && array != attributes->GetNormals() &&
-    array != attributes->GetTCoords() && std::string(array->GetName()) != OriginalCellIds &&
-    std::string(array->GetName()) != CurvedFaces;
+  return IsOfFile(array) && array != attributes->GetNormals() && array != attributes->GetTCoords();
+}
+
+bool HasArray(const Mappers& mappers, const std::string& name, bool cells)
+{
+  return std::any_of(mappers.begin(), mappers.end(), [&](vtkPolyDataMapper* mapper) {
+    return IsOfFile(Attributes(mapper, cells)->GetArray(name.c_str()));
+  });
 }
 
 std::vector<std::string> ArrayNames(const Mappers& mappers, bool cells)
@@ -76,7 +89,7 @@ std::string ChooseArray(const Mappers& mappers, const ColoringOptions& options)
     "; cell arrays (--coloring-by-cells): " + List(ArrayNames(mappers, true));
   if (!options.Array.empty())
   {
-    if (!std::count(names.begin(), names.end(), options.Array))
+    if (!HasArray(mappers, options.Array, options.ByCells))
     {
       throw CommandError(BadInput,
         std::string("--coloring-array: no ") + (options.ByCells ? "cell" : "point") + " array '" +

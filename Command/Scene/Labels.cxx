@@ -14,12 +14,21 @@
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
+#include <filesystem>
+
 namespace penumbra
 {
 
 void AddLabels(vtkRenderer* renderer, const RenderOptions& options, bool darkText)
 {
   std::string text = ReplaceAll(options.Text, TimePlaceholder, options.TimeText);
+  if (options.FileNameLabel)
+  {
+    for (const std::string& file : options.Files)
+    {
+      text += (text.empty() ? "" : "\n") + std::filesystem::path(file).filename().string();
+    }
+  }
   if (options.TimeLabel)
   {
     text += (text.empty() ? "Time: " : "\nTime: ") + options.TimeText;

@@ -5,9 +5,14 @@
 // the program.
 #include "Meshes.h"
 #include "Program.h"
+#include "RenderedImages.h"
+
+#include "vtkImageData.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -59,6 +64,10 @@ TEST(F3D, DocumentedOptionsAreAccepted)
 {
   const Folder folder("f3d");
   WriteSphereWithArrays(folder / "sphere.vtp");
+  ASSERT_EQ(RunProgram({ "render", folder / "sphere.vtp", "--output", folder / "sky.bmp",
+                         "--resolution", "8,4", "--background-color", "white" })
+              .Status,
+    0);
   std::istringstream page(ReadText(PENUMBRA_SOURCE_DIR "/Documentation/user/F3D.md"));
   int rows = 0;
   bool understood = false;
@@ -78,14 +87,15 @@ TEST(F3D, DocumentedOptionsAreAccepted)
       "--output", folder / "p.png" };
     for (std::string word; words >> word;)
     {
-      arguments.push_back(
-        word.rfind("--output", 0) == 0 ? "--output=" + folder / "image.png" : word);
+      arguments.push_back(word.rfind("--output", 0) == 0 ? "--output=" + folder / "image.png"
+          : word.rfind("--hdri-file", 0) == 0            ? "--hdri-file=" + folder / "sky.bmp"
+                                                         : word);
     }
     const ProgramResult outcome = RunProgram(arguments);
     EXPECT_EQ(outcome.Status, 0) << line << outcome.Errors;
     EXPECT_EQ(WithoutToleranceWarnings(outcome.Errors), "") << line;
   }
-  EXPECT_EQ(rows, 34);
+  EXPECT_EQ(rows, 39);
 }
 
 TEST(F3D, OtherOptionsAreErrorsThatNameF3D)
@@ -118,7 +128,7 @@ TEST(F3D, OtherOptionsAreErrorsThatNameF3D)
         << name << outcome.Errors;
     }
   }
-  EXPECT_EQ(options, 50);
+  EXPECT_EQ(options, 60);
 }
 
 TEST(F3D, ReplacementsAreNamed)
@@ -126,10 +136,10 @@ TEST(F3D, ReplacementsAreNamed)
   const Folder folder("f3d-named");
   WriteSphereWithArrays(folder / "sphere.vtp");
   const std::vector<std::pair<std::string, std::string>> rows = { { "-o", "--representation" },
-    { "--point-sprites=sphere", "--point-radius" }, { "--up=+Z", "--camera-view-up" },
-    { "--coloring-mode=scivis", "--scalar-coloring" }, { "--hdri-ambient", "--indirect" },
-    { "--raytracing-samples=5", "--tolerance" }, { "--reference=a.png", "penumbra compare" },
-    { "--display-depth", ".vti" }, { "-sbv", "--contour" }, { "-n", "--text" } };
+    { "--point-sprites=sphere", "--point-radius" },
+    { "--coloring-mode=scivis", "--scalar-coloring" }, { "--reference=a.png", "penumbra compare" },
+    { "--display-depth", ".vti" }, { "-sbv", "--contour" },
+    { "--font-file=a.ttf", "PENUMBRA_FONT" } };
   for (const auto& [name, replacement] : rows)
   {
     const ProgramResult outcome =
@@ -164,4 +174,60 @@ TEST(F3D, ShortOptionsHaveTheirMeaning)
   EXPECT_EQ(render("e.png", { "-y", "--coloring-array", "Direction" }), colors);
   EXPECT_EQ(render("f.png", { "--camera-direction=-x-y+z" }),
     render("g.png", { "--camera-direction=-1,-1,1" }));
+  EXPECT_EQ(render("h.png", { "-n" }), render("i.png", { "--text", "sphere.vtp" }));
+  EXPECT_EQ(render("j.png", { "-s", "--colormap-file=magma.png" }),
+    render("k.png", { "-s", "--colormap", "magma" }));
+}
+
+TEST(F3D, UpGivesTheViewOfF3D)
+{
+  // Positions of F3D's camera: -up x right, with right = +X, or +Y if up is along X.
+  const Folder folder("f3d-up");
+  WriteSphereWithArrays(folder / "sphere.vtp");
+  const auto render = [&folder](const std::string& name, std::vector<std::string> options) {
+    options.insert(options.begin(),
+      { "render", folder / "sphere.vtp", "--output", folder / name, "--resolution", "60,40",
+        "--coloring-array", "Direction", "--coloring-component", "-2" });
+    EXPECT_EQ(RunProgram(options).Status, 0);
+    return ReadText(folder / name);
+  };
+  const std::pair<std::string, std::string> rows[] = { { "+Y", "-Z" }, { "+Z", "+Y" },
+    { "+X", "+Z" }, { "-Y", "+Z" }, { "-Z", "-Y" }, { "0,1,1", "0,1,-1" } };
+  for (const auto& [up, direction] : rows)
+  {
+    EXPECT_EQ(render("a.png", { "--up=" + up }),
+      render("b.png", { "--camera-view-up=" + up, "--camera-direction=" + direction }))
+      << up;
+  }
+  EXPECT_EQ(render("c.png", { "--up=+Z", "--camera-direction=-X" }),
+    render("d.png", { "--camera-view-up=+Z", "--camera-direction=-X" }));
+}
+
+TEST(F3D, ColormapsOfImagesAreThoseOfTheirLowestRow)
+{
+  // 3 x 2 pixels, rows from the bottom: red, green, blue; black.
+  const Folder folder("f3d-colormap");
+  const std::string header(
+    "BM\x4e\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\3\0\0\0\2\0\0\0\1\0\x18\0", 30);
+  WriteText(folder / "map.bmp",
+    header + std::string(24, '\0') + std::string("\0\0\xff\0\xff\0\xff\0\0\0\0\0", 12) +
+      std::string(12, '\0'));
+  WriteText(folder / "bar.vtk",
+    "# vtk DataFile Version 3.0\nbar\nASCII\nDATASET POLYDATA\nPOINTS 6 float\n"
+    "-1 -1 0 0 -1 0 1 -1 0 -1 1 0 0 1 0 1 1 0\nPOLYGONS 2 10\n4 0 1 4 3\n4 1 2 5 4\n"
+    "POINT_DATA 6\nSCALARS s float 1\nLOOKUP_TABLE default\n0 1 2 0 1 2\n");
+  const ProgramResult outcome =
+    RunProgram({ "render", folder / "bar.vtk", "--output", folder / "bar.vti", "--resolution",
+      "80,80", "--camera-orthographic", "--camera-parallel-scale", "1", "--camera-position",
+      "0,0,3", "--coloring-array", "s", "--colormap", folder / "map.bmp", "--no-lighting" });
+  ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+  const auto image = ReadImage(folder / "bar.vti");
+  for (int x = 0; x < 80; ++x)
+  {
+    const double value = 2.0 * (x + 0.5) / 80.0;
+    const Pixel color = PixelAt(image, x, 40);
+    EXPECT_NEAR(color[0], std::max(1.0 - value, 0.0), 0.01) << x;
+    EXPECT_NEAR(color[1], 1.0 - std::abs(value - 1.0), 0.01) << x;
+    EXPECT_NEAR(color[2], std::max(value - 1.0, 0.0), 0.01) << x;
+  }
 }
