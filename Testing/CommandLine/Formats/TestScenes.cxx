@@ -386,6 +386,16 @@ TEST(ObjScenes, MissingFilesCauseOneWarning)
   EXPECT_NE(outcome.Errors.find("'none.mtl' are missing"), std::string::npos) << outcome.Errors;
 }
 
+std::string DecodeHexadecimal(const std::string& text)
+{
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < text.size(); i += 2)
+  {
+    bytes += static_cast<char>(std::stoi(text.substr(i, 2), nullptr, 16));
+  }
+  return bytes;
+}
+
 TEST(ObjScenes, DamagedTexturesCauseOneWarning)
 {
   const Folder folder("obj-damaged");
@@ -394,12 +404,19 @@ TEST(ObjScenes, DamagedTexturesCauseOneWarning)
   const std::string whole = ReadText(folder / "colors.png");
   std::string flipped = whole;
   flipped[whole.find("IDAT") + 8] ^= 0x55;
+  // 2 x 2 pixels with valid checksums: they cannot be decompressed, and a row has the filter 9.
+  const std::string undecodable = DecodeHexadecimal(
+    "89504e470d0a1a0a0000000d4948445200000002000000020802000000fdd49a7300000010494441"
+    "54787878787878787878787878787878785da279380000000049454e44ae426082");
+  const std::string badFilter = DecodeHexadecimal(
+    "89504e470d0a1a0a0000000d4948445200000002000000020802000000fdd49a730000000e494441"
+    "54789ce36400034e08050000cb00137833ab970000000049454e44ae426082");
   const std::string plain = "newmtl Red one\nKd .8 .2 .1\nillum 1\nnewmtl textured\nKd 1 1 1\n";
   WriteText(folder / "two colors.mtl", plain);
   ASSERT_EQ(Render(folder, { "two.obj" }, "plain.png", CameraOptions).Errors, "");
   WriteText(folder / "two colors.mtl", plain + "map_Kd colors.png\n");
   for (const std::string& bytes : { whole.substr(0, whole.size() / 2), whole.substr(0, 40), flipped,
-         std::string("This is not an image."), std::string(1, '\0') })
+         std::string("This is not an image."), std::string(1, '\0'), undecodable, badFilter })
   {
     WriteText(folder / "colors.png", bytes);
     const ProgramResult outcome = Render(folder, { "two.obj" }, "two.png", CameraOptions);
