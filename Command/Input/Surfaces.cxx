@@ -284,6 +284,7 @@ void Surfaces::Append(const Surfaces& other)
   const auto append = [](auto& all, const auto& more) {
     all.insert(all.end(), more.begin(), more.end());
   };
+  append(this->Files, other.Files);
   append(this->Meshes, other.Meshes);
   append(this->Names, other.Names);
   append(this->Actors, other.Actors);
@@ -312,6 +313,7 @@ Surfaces ReadSurfaces(const std::string& path, const InputOptions& options)
   {
     surfaces.Append(ReadOneFile(file, options));
   }
+  surfaces.Files = { path };
   if (surfaces.Meshes.empty() && surfaces.DroppedPoints > 0)
   {
     throw CommandError(

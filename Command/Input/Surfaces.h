@@ -25,6 +25,7 @@ extern const char* const CurvedFaces;
 
 struct Surfaces
 {
+  std::vector<std::string> Files; ///< that were read
   std::vector<vtkSmartPointer<vtkPolyData>> Meshes;
   std::vector<std::string> Names; ///< of the files of Meshes, and of the data sets in them
   /// With the materials of Meshes; null: of none. Empty unless materials were requested.

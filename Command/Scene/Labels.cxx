@@ -19,12 +19,13 @@
 namespace penumbra
 {
 
-void AddLabels(vtkRenderer* renderer, const RenderOptions& options, bool darkText)
+void AddLabels(vtkRenderer* renderer, const std::vector<std::string>& files,
+  const RenderOptions& options, bool darkText)
 {
   std::string text = ReplaceAll(options.Text, TimePlaceholder, options.TimeText);
   if (options.FileNameLabel)
   {
-    for (const std::string& file : options.Files)
+    for (const std::string& file : files)
     {
       text += (text.empty() ? "" : "\n") + std::filesystem::path(file).filename().string();
     }

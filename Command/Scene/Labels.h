@@ -5,6 +5,9 @@
 #ifndef penumbra_Labels_h
 #define penumbra_Labels_h
 
+#include <string>
+#include <vector>
+
 class vtkRenderer;
 
 namespace penumbra
@@ -12,9 +15,10 @@ namespace penumbra
 
 struct RenderOptions;
 
-/// Adds --text and the label of --time-label in the upper left corner, with black text if
-/// `darkText` is true, otherwise white text.
-void AddLabels(vtkRenderer* renderer, const RenderOptions& options, bool darkText);
+/// Adds --text, the names of the files if --filename is given, and the label of --time-label in the
+/// upper left corner, with black text if `darkText` is true, otherwise white text.
+void AddLabels(vtkRenderer* renderer, const std::vector<std::string>& files,
+  const RenderOptions& options, bool darkText);
 
 }
 #endif

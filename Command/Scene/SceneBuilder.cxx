@@ -228,7 +228,7 @@ vtkSmartPointer<vtkRenderer> BuildScene(
     }
     RemoveMaterialsOfColored(renderer, options, unitsPerPoint);
   }
-  AddLabels(renderer, options, darkText);
+  AddLabels(renderer, surfaces.Files, options, darkText);
   renderer->SetBackground(background[0], background[1], background[2]);
   renderer->SetBackgroundAlpha(options.Background ? 1.0 : 0.0);
   PlaceCamera(renderer, UseLookCamera(renderer, UseFileCamera(surfaces, options)));

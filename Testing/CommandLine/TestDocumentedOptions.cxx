@@ -179,6 +179,22 @@ TEST(F3D, ShortOptionsHaveTheirMeaning)
     render("k.png", { "-s", "--colormap", "magma" }));
 }
 
+TEST(F3D, FileNamesAreThoseOfTheImage)
+{
+  const Folder folder("f3d-names");
+  WriteText(folder / "a.stl", SquareStl());
+  WriteText(folder / "b.stl", SquareStl());
+  ASSERT_EQ(RunProgram({ "animate", folder / "a.stl", folder / "b.stl", "--time-series", "--output",
+                         folder / "{frame}.png", "--filename", "--resolution", "90,60" })
+              .Status,
+    0);
+  ASSERT_EQ(RunProgram({ "render", folder / "b.stl", "--output", folder / "text.png", "--text",
+                         "b.stl", "--resolution", "90,60" })
+              .Status,
+    0);
+  EXPECT_EQ(Compare(folder / "0001.png", folder / "text.png")["metrics"]["max"], 0.0);
+}
+
 TEST(F3D, UpGivesTheViewOfF3D)
 {
   // Positions of F3D's camera: -up x right, with right = +X, or +Y if up is along X.
