@@ -45,8 +45,6 @@ std::string NameOptions(std::string message)
     { "Set another FontFile in its vtkTextProperty", "Set the environment variable PENUMBRA_FONT" },
     { "Call vtkRenderer::ResetCameraClippingRange()", "Check the --camera options" },
     { "Set AmbientOcclusion of vtkPenumbraRayCaster", "Use --ambient-occlusion" },
-    { "Use IndirectLight and Environment of vtkPenumbraRayCaster",
-      "Use --indirect and --hdri-file" },
     { "Direct light needs at least one light. Call AddLight()",
       "--quantity direct-light needs --light-position" },
     { "vtkPenumbraEnvironment: Image must be set to a single slice with point scalars",

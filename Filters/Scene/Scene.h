@@ -22,12 +22,14 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace penumbra
 {
 
+class EnvironmentLight;
 struct Surface;
 
 /// Default radius of ambient occlusion, as a fraction of the diagonal of the scene's bounds.
@@ -47,6 +49,8 @@ struct Scene
   std::vector<Surface> Surfaces; ///< Surface.h is needed to create and destroy scenes
   std::vector<Light> Lights;
   penumbra::Background BackgroundColors;
+  std::shared_ptr<EnvironmentLight>
+    EnvironmentReflections;          ///< of physically based materials; or null
   Overlay OverlayImage;              ///< composited over the rendered image
   std::vector<std::string> Warnings; ///< parts of the input that were skipped, one sentence each
 

@@ -324,18 +324,29 @@ class RayCastImage(unittest.TestCase):
         numpy.testing.assert_array_equal(shadows, plotter.penumbra.ray_cast(shadows=True))
         self.assertGreater(rmse(shadows, lit), 1.0)
 
+    def test_metals_reflect_the_environment(self):
+        y, x = numpy.mgrid[0:32, 0:64] / 32.0
+        image = numpy.stack([127 + 120 * numpy.sin(3.1416 * x), 127 + 120 * numpy.cos(3.1416 * y), 200 + 0 * x], axis=2)
+        plotter = pyvista.Plotter(off_screen=True, window_size=(80, 60), lighting="none")
+        plotter.set_environment_texture(pyvista.Texture(image.astype(numpy.uint8)), show_background=False)
+        plotter.add_mesh(pyvista.Sphere(theta_resolution=60, phi_resolution=60), pbr=True, metallic=1.0, roughness=0.3)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", penumbra.PenumbraWarning)
+            rays = plotter.penumbra.ray_cast()
+        plotter.show(auto_close=False)
+        raster = plotter.screenshot(return_img=True)
+        inside = (slice(20, 40), slice(30, 50))
+        self.assertGreater(raster[inside].std(), 10)
+        self.assertLess(numpy.abs(rays[inside].astype(int) - raster[inside]).max(), 8)
+
     def test_names_no_option_of_the_command_line_in_warnings(self):
         def volume(plotter):
             plotter.add_volume(pyvista.Wavelet())
 
-        def lighting(plotter):
-            plotter.renderer.UseImageBasedLightingOn()
-
         def own_pass(plotter):
             plotter.renderer.SetPass(_vtk.vtkCameraPass())
 
-        for use, remedy in ((volume, "or render with OpenGL"), (lighting, "Pass indirect_light=True"),
-                            (own_pass, "Render with OpenGL")):
+        for use, remedy in ((volume, "or render with OpenGL"), (own_pass, "Render with OpenGL")):
             plotter = pyvista.Plotter(off_screen=True, window_size=(40, 30))
             use(plotter)
             with self.assertWarnsRegex(penumbra.PenumbraWarning, remedy) as caught:

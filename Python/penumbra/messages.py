@@ -21,8 +21,6 @@ REMEDIES = {
     "Increase Tolerance and LightTolerance.": "Pass a larger tolerance and light_tolerance.",
     "Increase Tolerance.": "Pass a larger tolerance.",
     "Increase LightTolerance.": "Pass a larger light_tolerance.",
-    "Use IndirectLight and Environment of vtkPenumbraRayCaster.":
-        "Pass indirect_light=True and environment_color, or use the class vtkPenumbraRayCaster with SetEnvironment().",
 }
 
 

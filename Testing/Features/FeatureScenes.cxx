@@ -514,6 +514,7 @@ std::vector<FeatureScene> MakeFeatureScenes()
   AddOtherProps(list);
   AddCoincident(list);
   AddEdges(list);
+  AddEnvironments(list);
   AddVisiblePoints(list);
   return list.Scenes;
 }

@@ -37,6 +37,9 @@ void AddCoincident(SceneList& add);
 /// Adds scenes of edges, which have the opacity and the visible sides of their faces.
 void AddEdges(SceneList& add);
 
+/// Adds scenes of image-based lighting.
+void AddEnvironments(SceneList& add);
+
 /// Adds scenes of labels of visible points.
 void AddVisiblePoints(SceneList& add);
 

@@ -195,7 +195,7 @@ bool DiffersBetweenVersions([[maybe_unused]] Feature feature)
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
   return feature == Feature::Skyboxes || feature == Feature::NormalTexture ||
     feature == Feature::MaterialTexture || feature == Feature::Anisotropy ||
-    feature == Feature::Actors2D;
+    feature == Feature::Actors2D || feature == Feature::ImageBasedLighting;
 #else
   return false;
 #endif

@@ -187,8 +187,6 @@ void AddRendererScenes(std::vector<WarningScene>& scenes)
   });
   add(Feature::RenderPass, [](vtkRenderer* renderer) { renderer->SetPass(vtkNew<EmptyPass>()); });
   add(Feature::RendererOcclusion, [](vtkRenderer* renderer) { renderer->UseSSAOOn(); });
-  add(Feature::ImageBasedLighting,
-    [](vtkRenderer* renderer) { renderer->UseImageBasedLightingOn(); });
 }
 
 }

@@ -15,6 +15,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
@@ -117,4 +118,47 @@ TEST(DefaultOcclusionRadius, IgnoresUnusedAndInvalidPoints)
     return sum / static_cast<double>(color->GetNumberOfTuples());
   };
   EXPECT_NEAR(render(true), render(false), 1e-3);
+}
+
+TEST(SceneModificationTime, FollowsTheEnvironment)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  image->GetPointData()->GetScalars()->Fill(50.0);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  vtkNew<vtkSphereSource> source;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetInterpolationToPBR();
+  actor->GetProperty()->SetMetallic(1.0);
+  actor->GetProperty()->SetRoughness(0.4);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  renderer->AutomaticLightCreationOff();
+  renderer->SetEnvironmentTexture(texture);
+  renderer->UseImageBasedLightingOn();
+  renderer->ResetCamera();
+  for (const bool keeps : { false, true })
+  {
+    vtkNew<vtkPenumbraRayCaster> caster;
+    caster->SetRenderer(renderer);
+    caster->SetResolution(9, 9);
+    caster->SetKeepScene(keeps);
+    double before = 0.0;
+    for (const double value : { 50.0, 90.0, 160.0 })
+    {
+      image->GetPointData()->GetScalars()->Fill(value);
+      image->GetPointData()->GetScalars()->Modified();
+      image->Modified();
+      caster->Update();
+      const double color =
+        caster->GetOutput()->GetPointData()->GetArray("Color")->GetComponent(40, 0);
+      EXPECT_GT(color, before + 0.05);
+      before = color;
+    }
+  }
 }

@@ -169,6 +169,10 @@ std::vector<std::string> DescribeLightOverlaps(const Scene& scene)
 
 std::string DescribeMissingLight(const RayScene& rays, bool shadows, const Illumination* indirect)
 {
+  if (rays.GetScene().EnvironmentReflections)
+  {
+    return {};
+  }
   const Camera& camera = rays.GetScene().ViewCamera;
   const Shading shading(rays, shadows);
   bool isDark = false;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhysicallyBased.h"
 
+#include "Environment/EnvironmentLight.h"
 #include "Surface.h"
 #include "SurfaceColor.h"
 
@@ -136,6 +137,7 @@ void PhysicallyBased::SetFrame(const Surface& surface, const Material& material,
   if (material.Anisotropy != 0.f)
   {
     this->Anisotropic = true;
+    this->Anisotropy = anisotropy;
     const float alpha = this->Roughness * this->Roughness;
     const float aspect = std::sqrt(1.f - .9f * anisotropy);
     this->TangentRoughness = std::max(alpha / aspect, .001f);
@@ -203,6 +205,47 @@ glm::vec3 PhysicallyBased::Reflect(glm::vec3 towardLight, bool diffuseOnly) cons
     : coatNl * this->CoatStrength * coatFresnel * ComputeDistribution(coatNh, this->CoatRoughness) *
       ComputeVisibility(coatNv, coatNl, this->CoatRoughness);
   return glm::vec3(coat) + nl * this->CoatFilter * (diffuse + specular);
+}
+
+// Split sum with multiple scattering by Fdez-Aguera, A Multiple-Scattering Microfacet Model for
+// Real-Time Image Based Lighting, 2019.
+glm::vec3 PhysicallyBased::ReflectEnvironment(const EnvironmentLight& environment) const
+{
+  glm::vec3 normal = this->Normal;
+  if (this->Anisotropic)
+  {
+    const glm::vec3 across = glm::cross(this->Bitangent, this->View);
+    normal =
+      glm::normalize(glm::mix(normal, glm::cross(across, this->Bitangent), this->Anisotropy));
+  }
+  const auto reflect = [&](glm::vec3 about, float roughness) {
+    return environment.ComputeReflection(glm::reflect(-this->View, about), roughness);
+  };
+  const float cosine = ClampCosine(glm::dot(this->Normal, this->View));
+  const glm::vec2 factors = environment.ComputeReflectance(cosine, this->Roughness);
+  const glm::vec3 once =
+    ComputeFresnel(this->NormalReflectance,
+      glm::max(glm::vec3(1.f - this->Roughness), this->NormalReflectance), cosine) *
+      factors.x +
+    this->GrazingReflectance * factors.y;
+  const float lost = 1.f - factors.x - factors.y;
+  const glm::vec3 mean =
+    this->NormalReflectance + (glm::vec3(1.f) - this->NormalReflectance) / 21.f;
+  const glm::vec3 again = lost * once * mean / glm::max(1.f - mean * lost, glm::vec3(1e-5f));
+  const glm::vec3 body = (1.f - this->Metallic) * (1.f - .04f) * this->Albedo;
+  const glm::vec3 radiance = once * reflect(normal, this->Roughness) +
+    (again + body * (glm::vec3(1.f) - once - again)) * environment.ComputeIrradiance(this->Normal);
+  if (!(this->CoatStrength > 0.f))
+  {
+    return radiance;
+  }
+  const float coatCosine = ClampCosine(glm::dot(this->CoatNormal, this->View));
+  const glm::vec2 coatFactors = environment.ComputeReflectance(coatCosine, this->CoatRoughness);
+  const float fresnel = this->CoatStrength *
+    ComputeFresnel(glm::vec3(this->CoatReflectance), glm::vec3(1.f), coatCosine).x;
+  return this->CoatFilter * radiance +
+    fresnel * (this->CoatReflectance * coatFactors.x + coatFactors.y) *
+    reflect(this->CoatNormal, this->CoatRoughness);
 }
 
 glm::vec3 PhysicallyBased::ToDisplayColor(glm::vec3 radiance) const

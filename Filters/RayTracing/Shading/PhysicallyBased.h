@@ -12,6 +12,7 @@
 namespace penumbra
 {
 
+class EnvironmentLight;
 struct Surface;
 
 class PhysicallyBased
@@ -28,6 +29,9 @@ public:
   /// including the cosine.
   /// @param diffuseOnly Leaves out specular reflections.
   glm::vec3 Reflect(glm::vec3 towardLight, bool diffuseOnly) const;
+
+  /// Returns the reflected radiance of an environment that nothing occludes.
+  glm::vec3 ReflectEnvironment(const EnvironmentLight& environment) const;
 
   /// Returns the display color of the radiance that all lights reflect.
   glm::vec3 ToDisplayColor(glm::vec3 radiance) const;
@@ -60,6 +64,7 @@ private:
   glm::vec3 GrazingReflectance; ///< Fresnel term at grazing incidence
 
   bool Anisotropic = false;
+  float Anisotropy = 0.f;
   glm::vec3 Tangent{ 0.f };
   glm::vec3 Bitangent{ 0.f };
   float TangentRoughness = 0.f;

@@ -6,6 +6,7 @@
 // With other lights, the specular term uses the reflected light direction of the Phong model.
 #include "Shading.h"
 
+#include "Environment/EnvironmentLight.h"
 #include "HemisphereSampling.h"
 #include "OwenSobolSequence.h"
 #include "PhysicallyBased.h"
@@ -99,14 +100,20 @@ Shading::Shading(const RayScene& scene, bool shadows)
   this->Penumbrae = this->Shadows &&
     std::any_of(lights.begin(), lights.end(),
       [](const Light& light) { return light.CastsShadow && light.HasSize(); });
+  EnvironmentLight* environment = scene.GetScene().EnvironmentReflections.get();
   for (const Surface& surface : scene.GetScene().Surfaces)
   {
+    const bool reflects = environment && surface.Front.PhysicallyBased;
+    if (reflects)
+    {
+      environment->Prepare();
+    }
     SurfaceMaterial material;
     material.Front = MakePhongCoefficients(surface.Front);
     material.Back = surface.HasBackMaterial ? MakePhongCoefficients(surface.Back) : material.Front;
     material.AmbientCoefficient = surface.Front.Ambient;
     material.DiffuseCoefficient = surface.Front.Diffuse;
-    material.Lit = surface.Front.Lighting && !lights.empty();
+    material.Lit = surface.Front.Lighting && (!lights.empty() || reflects);
     material.Colored = HasMappedColor(surface);
     material.Constant = this->IsConstant(surface, material);
     material.UniformEmission = !material.Colored && !surface.HasBackMaterial &&
@@ -368,6 +375,11 @@ glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhysicallyBased& material,
       radiance += strength * light.DiffuseColor * this->ComputeAttenuation(light, point) *
         material.Reflect(toward, diffuseOnly);
     }
+  }
+  const EnvironmentLight* environment = this->Rays.GetScene().EnvironmentReflections.get();
+  if (environment && !diffuseOnly)
+  {
+    radiance += material.ReflectEnvironment(*environment);
   }
   return material.ToDisplayColor(radiance);
 }

@@ -262,12 +262,10 @@ TEST(SceneExtraction, WarnsAboutUnsupportedProperties)
   EXPECT_TRUE(ExtractScene(renderer, Square()).Warnings.empty());
   actor->GetProperty()->SetTexture("second", vtkNew<vtkTexture>());
   actor->GetMapper()->SetSelection(vtkNew<vtkSelection>());
-  renderer->UseImageBasedLightingOn();
   const Scene scene = ExtractScene(renderer, Square());
   EXPECT_TRUE(Warns(scene, "textures of the property"));
   EXPECT_TRUE(Warns(scene, "selected cells"));
-  EXPECT_TRUE(Warns(scene, "Image-based lighting"));
-  EXPECT_EQ(scene.Warnings.size(), 3u);
+  EXPECT_EQ(scene.Warnings.size(), 2u);
 }
 
 TEST(SceneExtraction, WarnsOncePerCause)

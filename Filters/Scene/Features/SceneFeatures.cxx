@@ -226,9 +226,10 @@ const std::vector<FeatureRow>& GetFeatureTable()
       "Shadows are exact instead of filtered shadow maps, and lights without a cone cast shadows, "
       "too.",
       "" },
-    { Feature::ImageBasedLighting, Refused, "vtkRenderer: UseImageBasedLighting",
-      "Image-based lighting is ignored.",
-      "Use IndirectLight and Environment of vtkPenumbraRayCaster." },
+    { Feature::ImageBasedLighting, Drawn, "vtkRenderer: UseImageBasedLighting, EnvironmentTexture",
+      "Nothing occludes the light of the environment. The argument isSRGB of "
+      "SetEnvironmentTexture() is ignored.",
+      "Set UseSRGBColorSpace of the texture instead of isSRGB." },
   };
   return table;
 }

@@ -120,7 +120,6 @@ void WarnUnsupportedRenderer(vtkRenderer* renderer, std::vector<std::string>& wa
     }
   };
   warn(renderer->GetPass() != nullptr, Feature::RenderPass);
-  warn(renderer->GetUseImageBasedLighting(), Feature::ImageBasedLighting);
 }
 
 }

@@ -10,6 +10,7 @@
 #include "SceneExtractionAxes.h"
 #include "SceneExtractionGlyphs.h"
 #include "SceneExtractionProps.h"
+#include "SceneExtractionSky.h"
 #include "SceneExtractionSplats.h"
 #include "SceneExtractionView.h"
 #include "Surface.h"
@@ -172,6 +173,7 @@ void ExtractView(vtkRenderer* renderer, const double bounds[6], const Extraction
   scene.OverlayImage = Overlay(scene.ViewCamera.Width, scene.ViewCamera.Height);
   ExtractLights(renderer, options, distortion, scene);
   ExtractBackground(renderer, options, scene);
+  ExtractEnvironmentLight(renderer, scene);
 }
 
 /// Finds the slopes of surfaces if the offset of a line or point depends on them.
@@ -283,6 +285,7 @@ bool UpdateView(vtkRenderer* renderer, const ExtractionOptions& options, Scene& 
     return false;
   }
   Scene next;
+  next.EnvironmentReflections = scene.EnvironmentReflections;
   ExtractView(renderer, bounds, options, distortion, next);
   if (!next.HasFixedOrigin || next.Origin != scene.Origin || next.Scale != scene.Scale)
   {
@@ -291,6 +294,7 @@ bool UpdateView(vtkRenderer* renderer, const ExtractionOptions& options, Scene& 
   scene.ViewCamera = next.ViewCamera;
   scene.Lights = std::move(next.Lights);
   scene.BackgroundColors = std::move(next.BackgroundColors);
+  scene.EnvironmentReflections = std::move(next.EnvironmentReflections);
   scene.OverlayImage = std::move(next.OverlayImage);
   scene.Warnings = std::move(next.Warnings);
   ExtractOverlay(renderer, options.DPI, options.FindDepths, scene);

@@ -21,5 +21,9 @@ bool IsSky(vtkProp* prop);
 /// camera of `scene` must be set.
 void ExtractSky(vtkRenderer* renderer, Scene& scene);
 
+/// Sets the light of the environment texture if `renderer` uses image-based lighting. Keeps that of
+/// `scene` if nothing has changed.
+void ExtractEnvironmentLight(vtkRenderer* renderer, Scene& scene);
+
 }
 #endif

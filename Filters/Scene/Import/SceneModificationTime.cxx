@@ -84,6 +84,10 @@ public:
     {
       this->AddTexture(texture);
     }
+    if (vtkTexture* texture = renderer->GetEnvironmentTexture())
+    {
+      this->AddTexture(texture);
+    }
     if (renderer->IsActiveCameraCreated())
     {
       this->AddCamera(renderer->GetActiveCamera());
