@@ -327,17 +327,31 @@ class RayCastImage(unittest.TestCase):
     def test_metals_reflect_the_environment(self):
         y, x = numpy.mgrid[0:32, 0:64] / 32.0
         image = numpy.stack([127 + 120 * numpy.sin(3.1416 * x), 127 + 120 * numpy.cos(3.1416 * y), 200 + 0 * x], axis=2)
-        plotter = pyvista.Plotter(off_screen=True, window_size=(80, 60), lighting="none")
-        plotter.set_environment_texture(pyvista.Texture(image.astype(numpy.uint8)), show_background=False)
-        plotter.add_mesh(pyvista.Sphere(theta_resolution=60, phi_resolution=60), pbr=True, metallic=1.0, roughness=0.3)
-        with warnings.catch_warnings():
-            warnings.simplefilter("error", penumbra.PenumbraWarning)
-            rays = plotter.penumbra.ray_cast()
-        plotter.show(auto_close=False)
-        raster = plotter.screenshot(return_img=True)
         inside = (slice(20, 40), slice(30, 50))
-        self.assertGreater(raster[inside].std(), 10)
-        self.assertLess(numpy.abs(rays[inside].astype(int) - raster[inside]).max(), 8)
+
+        def metal(linearizes, is_srgb):
+            texture = pyvista.Texture(image.astype(numpy.uint8))
+            texture.SetUseSRGBColorSpace(linearizes)
+            plotter = pyvista.Plotter(off_screen=True, window_size=(80, 60), lighting="none")
+            plotter.set_environment_texture(texture, is_srgb=is_srgb, show_background=False)
+            plotter.add_mesh(pyvista.Sphere(theta_resolution=60, phi_resolution=60), pbr=True, metallic=1.0,
+                             roughness=0.3)
+            return plotter
+
+        images = []
+        for linearizes in (False, True):
+            plotter = metal(linearizes, False)
+            with warnings.catch_warnings():
+                warnings.simplefilter("error", penumbra.PenumbraWarning)
+                images.append(plotter.penumbra.ray_cast()[inside].astype(int))
+            plotter.show(auto_close=False)
+            raster = plotter.screenshot(return_img=True)[inside]
+            self.assertGreater(raster.std(), 10)
+            self.assertLess(numpy.abs(images[-1] - raster).max(), 8)
+        self.assertGreater(images[0].mean(), images[1].mean() + 10)
+        with self.assertWarnsRegex(penumbra.PenumbraWarning, "instead of is_srgb=True") as caught:
+            metal(False, True).penumbra.ray_cast()
+        self.assertEqual(caught.filename, __file__)
 
     def test_names_no_option_of_the_command_line_in_warnings(self):
         def volume(plotter):

@@ -156,6 +156,14 @@ def _follow_passes(caster: Any, renderer: Any, settings: Settings) -> bool:
     return found > 0
 
 
+def _warn_of_environment(renderer: Any) -> None:
+    """Warn if VTK converts the colors of the environment texture, which the ray caster cannot know."""
+    if renderer.GetUseImageBasedLighting() and hasattr(renderer, "GetEnvMapPrefiltered"):
+        if renderer.GetEnvMapPrefiltered().GetConvertToLinear():
+            warn("rays take the colors of the environment texture as linear: set UseSRGBColorSpace of the texture "
+                 "instead of is_srgb=True", stacklevel=5)
+
+
 def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> tuple[Any, tuple[str, ...]]:
     """Return a ray caster that draws a renderer, and the warnings of it that do not apply."""
     caster = vtkPenumbraRayCaster()
@@ -183,6 +191,7 @@ def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> tup
     caster.SetLayers(False)  # cast_renderers draws all renderers, with the effects of each
     caster.SetPointRadius(settings.point_radius)
     caster.SetLineRadius(settings.line_radius)
+    _warn_of_environment(renderer)
     follows = _follow_passes(caster, renderer, settings)
     return caster, (PASS_IGNORED, *SETTINGS_IGNORED) if follows else SETTINGS_IGNORED
 
