@@ -26,7 +26,6 @@
 #include "vtkImageData.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
-#include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraCubeMapGatherer.h"
 #include "vtkPenumbraEnvironment.h"
 #include "vtkPenumbraIrradianceCache.h"
@@ -138,6 +137,14 @@ int FindVectorFormat(const std::string& path)
                                         : vtkPenumbraVectorExporter::SVG;
 }
 
+/// Returns true if occlusion or indirect light are interpolated between records.
+bool UsesCache(const RenderOptions& options)
+{
+  const bool joinsPixels =
+    !options.Light.Indirect && !options.Shafts.Enabled && options.Gatherer == "rays";
+  return options.Cache != "none" && !(options.Cache == "auto" && joinsPixels);
+}
+
 vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(
   vtkRenderer* renderer, const RenderOptions& options)
 {
@@ -173,13 +180,7 @@ vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(
   }
   caster->SetAlbedo(light.Albedo);
   caster->SetBounces(light.Bounces);
-  if (options.Cache == "none")
-  {
-    vtkNew<vtkPenumbraBruteForceIrradiance> provider;
-    provider->JoinPixelsOn();
-    caster->SetIrradianceProvider(provider);
-  }
-  else if (options.AmbientOcclusion || light.Indirect)
+  if ((options.AmbientOcclusion || light.Indirect) && UsesCache(options))
   {
     vtkNew<vtkPenumbraIrradianceCache> cache;
     cache->SetSpace(options.Cache == "screen" ? vtkPenumbraIrradianceCache::SCREEN

@@ -328,11 +328,10 @@ void DeclareEffects(const CommandLine& app, RenderOptions& options)
   AddInteger(app, "--frames", options.Frames,
     "Number of frames accumulated with a static camera, 0: until converged (raster)", 0, 100000)
     .Group(group);
-  AddChoice(app, "--cache", options.Cache, { "world", "screen", "none" },
+  AddChoice(app, "--cache", options.Cache, { "auto", "world", "screen", "none" },
     "Interpolate occlusion and indirect light between records in world space or over the image; "
-    "none: join the rays of neighboring pixels, which keeps the tolerance of occlusion where "
-    "records "
-    "miss it (ray)")
+    "none: join the rays of neighboring pixels for occlusion; auto: none for occlusion, world for "
+    "indirect light and in a medium (ray)")
     .Group(group);
   app.AddFlag("--shadows", options.Shadows, "Shadows of the lights (ray)").Group(group);
   AddLightRadiusOption(app, options.LightRadius, "; implies --shadows (ray)").Group(group);

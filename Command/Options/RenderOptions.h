@@ -116,7 +116,7 @@ struct RenderOptions
   std::string Gatherer = "rays";                    ///< ray
   int Frames = 0; ///< raster, with a static camera; 0: until converged
   bool Shadows = false;
-  std::string Cache = "world"; ///< of occlusion and indirect light
+  std::string Cache = "auto"; ///< of occlusion and indirect light
   LightOptions Light;
   ShaftOptions Shafts;
 

@@ -54,7 +54,7 @@ public:
   ///@{
   /**
    * If on, images estimate their ambient occlusion for all pixels together, which takes far fewer rays,
-   * unless there is indirect light or a medium. If off, each point is estimated alone. Default: off.
+   * unless there is indirect light or a medium. If off, each point is estimated alone. Default: on.
    */
   vtkSetMacro(JoinPixels, bool);
   vtkGetMacro(JoinPixels, bool);
@@ -79,7 +79,7 @@ private:
   double Tolerance = 0.01;           ///< of occlusion, passed to Begin()
   double IrradianceTolerance = 0.01; ///< passed to BeginIrradiance()
   bool Translucent = false;          ///< the scene has translucent occluders
-  bool JoinPixels = false;
+  bool JoinPixels = true;
   int MaximumRays = 16384;
   int MinimumRays = 32;
   std::unique_ptr<penumbra::Illumination> Lighting;

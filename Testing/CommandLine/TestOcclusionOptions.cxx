@@ -109,8 +109,8 @@ TEST(Render, GatherersComputeSimilarOcclusion)
   {
     const ProgramResult outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
       "--resolution", "160,120", "--camera-direction=-1,-1,-2", "--ambient-occlusion",
-      "--ambient-occlusion-radius", "inf", "--tolerance", "0.02", "--gatherer", gatherer,
-      "--statistics", folder / "s.json", "--output", folder / gatherer + ".png" });
+      "--ambient-occlusion-radius", "inf", "--tolerance", "0.02", "--cache", "world", "--gatherer",
+      gatherer, "--statistics", folder / "s.json", "--output", folder / gatherer + ".png" });
     if (outcome.Status == 3)
     {
       GTEST_SKIP() << outcome.Errors;

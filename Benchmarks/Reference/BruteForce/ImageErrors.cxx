@@ -104,6 +104,7 @@ void AddTiles(ErrorCalibration& honesty, const std::vector<glm::dvec3>& image,
       estimate = std::sqrt(estimate / count);
       ++honesty.Tiles;
       honesty.ConservativeTiles += estimate + exactness >= error;
+      honesty.LargestError = std::max(honesty.LargestError, error);
       if (error > 1e-4)
       {
         honesty.Ratios.push_back(estimate / error);

@@ -46,6 +46,9 @@ constexpr float LargestRayGrowth = 4.f;
 constexpr std::uint32_t RaysOfHit = 4;
 /// More rays are traced where the estimated error exceeds this fraction of the tolerance.
 constexpr float LightErrorMargin = 0.75f;
+/// Side of the blocks of pixels whose number of rays grows alike, and their number on each side of a tile.
+constexpr int RayBlockSide = 4;
+constexpr int RayBlocks = LightTileSide / RayBlockSide;
 
 // --- Regression ---
 

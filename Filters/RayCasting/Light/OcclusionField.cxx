@@ -118,32 +118,60 @@ public:
   }
 
 private:
-  // The numbers of rays of all pixels of a tile grow alike: neighbors share their rays, and the bias of
-  // joined estimates decreases only if all of them have more.
+  // The numbers of rays grow in proportion to the estimated errors of blocks of pixels, which leads to the
+  // smallest error of the tile (Neyman allocation). Pixels alone would not do: neighbors share their rays.
   bool IncreaseTile(glm::ivec2 first, float limit)
   {
     const Camera& camera = this->Tracer.GetScene().ViewCamera;
-    const glm::ivec2 size =
-      glm::min(first + LightTileSide, glm::ivec2(camera.Width, camera.Height)) - first;
+    const glm::ivec2 end = glm::min(first + LightTileSide, glm::ivec2(camera.Width, camera.Height));
     float sum = 0.f;
-    for (int i = 0; i < size.x * size.y; ++i)
-    {
-      sum += Square(this->Field.At(first.x + i % size.x, first.y + i / size.x).Error);
-    }
-    const float accepted = static_cast<float>(size.x * size.y) * limit;
+    int count = 0;
+    SumErrors(first, end, sum, count);
+    const float accepted = static_cast<float>(count) * limit;
     if (sum <= accepted)
     {
       return false;
     }
     bool isIncreased = false;
-    for (int i = 0; i < size.x * size.y; ++i)
+    for (int i = 0; i < RayBlocks * RayBlocks; ++i)
     {
-      LightPixel& pixel =
-        this->Grid.Pixels[this->Grid.GetCell(first.x + i % size.x, first.y + i / size.x)];
-      if (pixel.Sites > 0 && pixel.Target < MaximumSiteRays / Halves)
+      const glm::ivec2 low = first + RayBlockSide * glm::ivec2(i % RayBlocks, i / RayBlocks);
+      const glm::ivec2 high = glm::min(low + RayBlockSide, end);
+      float own = 0.f;
+      int pixels = 0;
+      SumErrors(low, high, own, pixels);
+      const float share = own * static_cast<float>(count) / (sum * static_cast<float>(pixels));
+      isIncreased |=
+        pixels > 0 && this->IncreaseBlock(low, high, sum / accepted * std::sqrt(share));
+    }
+    return isIncreased;
+  }
+
+  /// Adds the squared errors of the pixels [low, high), and their number.
+  void SumErrors(glm::ivec2 low, glm::ivec2 high, float& sum, int& count) const
+  {
+    for (int y = low.y; y < high.y; ++y)
+    {
+      for (int x = low.x; x < high.x; ++x, ++count)
       {
-        pixel.Target = static_cast<std::uint16_t>(Grow(pixel.Target, sum / accepted));
-        isIncreased = true;
+        sum += Square(this->Field.At(x, y).Error);
+      }
+    }
+  }
+
+  bool IncreaseBlock(glm::ivec2 low, glm::ivec2 high, float factor)
+  {
+    bool isIncreased = false;
+    for (int y = low.y; y < high.y; ++y)
+    {
+      for (int x = low.x; x < high.x; ++x)
+      {
+        LightPixel& pixel = this->Grid.Pixels[this->Grid.GetCell(x, y)];
+        if (pixel.Sites > 0 && pixel.Target < MaximumSiteRays / Halves && factor > 1.f)
+        {
+          pixel.Target = static_cast<std::uint16_t>(Grow(pixel.Target, factor));
+          isIncreased = true;
+        }
       }
     }
     return isIncreased;

@@ -22,31 +22,28 @@ constexpr std::uint32_t FirstPartIndex = 1u << 24;
 /// Distance that corresponds to a difference of one layer, in pixels.
 constexpr float OtherLayerDistance = 4.f;
 
-/// Replaces the layers behind the first ones by one of them with their color, chosen with probabilities in
-/// proportion to their colors.
-void MergeLayers(std::vector<OccludedLayer>& layers, std::uint32_t random)
+/// Replaces the layers behind the first ones by one of them with their color. `random` in [0, 1) chooses it
+/// with probabilities in proportion to their colors.
+void MergeLayers(std::vector<OccludedLayer>& layers, float random)
 {
-  if (layers.size() <= MaximumSiteLayers + 1)
+  glm::vec3 color(0.f);
+  for (std::size_t i = MaximumSiteLayers; i < layers.size(); ++i)
   {
-    return;
+    color += layers[i].Color;
   }
-  const auto weigh = [](const OccludedLayer& layer) {
-    return layer.Color.r + layer.Color.g + layer.Color.b;
-  };
-  OccludedLayer merged = layers[MaximumSiteLayers];
-  float sum = weigh(merged);
-  for (std::size_t i = MaximumSiteLayers + 1; i < layers.size(); ++i)
+  float rest = random * (color.r + color.g + color.b);
+  std::size_t chosen = MaximumSiteLayers;
+  for (; chosen + 1 < layers.size(); ++chosen)
   {
-    const glm::vec3 color = merged.Color + layers[i].Color;
-    const float weight = weigh(layers[i]);
-    sum += weight;
-    if (NextFloat(random) * sum < weight)
+    const glm::vec3 own = layers[chosen].Color;
+    rest -= own.r + own.g + own.b;
+    if (rest < 0.f)
     {
-      merged = layers[i];
+      break;
     }
-    merged.Color = color;
   }
-  layers[MaximumSiteLayers] = merged;
+  layers[MaximumSiteLayers] = layers[chosen];
+  layers[MaximumSiteLayers].Color = color;
   layers.resize(MaximumSiteLayers + 1);
 }
 
@@ -54,6 +51,7 @@ enum Sequences
 {
   PixelPositions,
   Directions,
+  MergedLayers,
 };
 
 OwenSobolSequence MakeSequence(std::uint32_t seed, int half, Sequences kind)
@@ -86,7 +84,7 @@ void SiteSampler::Begin(glm::ivec2 first)
   this->First = first;
   this->Seed =
     MixBits(static_cast<std::uint32_t>(block.x) + MixBits(static_cast<std::uint32_t>(block.y))) *
-    4u;
+    8u;
   this->Requests.clear();
 }
 
@@ -213,13 +211,24 @@ void SiteSampler::TraceRequests(bool createsSites)
         ++pixel.Samples[request.Half];
       }
       std::vector<OccludedLayer>& layers = this->Layers[i];
-      MergeLayers(layers, MixBits(this->Seed + MixBits(request.Index)));
+      if (layers.size() > MaximumSiteLayers + 1)
+      {
+        MergeLayers(layers, this->ChooseLayer(request));
+      }
       for (std::size_t k = 0; k < layers.size(); ++k)
       {
         this->AddLayer(request, layers[k], static_cast<std::uint16_t>(k), createsSites);
       }
     }
   }
+}
+
+/// Returns a number in [0, 1); those of a half are stratified.
+float SiteSampler::ChooseLayer(const Request& request) const
+{
+  return MakeSequence(this->Seed, request.Half, MergedLayers)
+    .At(OwenSobolSequence::ShuffleIndex(request.Index, this->Seed + Halves + request.Half))
+    .x;
 }
 
 // Every site gets a ray of each half.

@@ -59,6 +59,7 @@ private:
   void AddRequests(
     int cell, std::uint32_t before, std::uint32_t from, std::uint32_t to, std::uint32_t added);
   void TraceRequests(bool createsSites);
+  float ChooseLayer(const Request& request) const;
   void AddLayer(
     const Request& request, const OccludedLayer& layer, std::uint16_t number, bool createsSites);
   LightSite* FindSite(

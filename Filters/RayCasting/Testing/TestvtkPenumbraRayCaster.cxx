@@ -279,6 +279,7 @@ vtkStandardNewMacro(FailingProvider);
 TEST_F(RayCaster, ReportsExceptionsOfAnyThread)
 {
   vtkNew<FailingProvider> provider;
+  provider->JoinPixelsOff();
   vtkNew<vtkCallbackCommand> observer;
   std::string message;
   observer->SetClientData(&message);
