@@ -438,7 +438,7 @@ def render(
         As in `irradiance`.
     cache : {"world", "screen", "none"} or vtkPenumbraIrradianceProvider, optional
         Provider of ambient occlusion and indirect light. "world" or "screen": interpolated between records in world
-        space or over the image; "none": rays that neighboring pixels share. Default: rays of each pixel alone.
+        space or over the image; "none", the default: rays, which neighboring pixels share for occlusion.
     point_radius : float
         Radius of the spheres that represent points, in world units. Range: [0, 1e30]. Default: 0, points have their
         size in pixels.
