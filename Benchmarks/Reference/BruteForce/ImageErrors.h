@@ -40,7 +40,7 @@ struct ErrorCalibration
 {
   std::size_t Tiles = 0;
   std::size_t ConservativeTiles = 0; ///< the RMS of the estimate is at least the true RMSE
-  double LargestError = 0.0; ///< largest actual RMSE of a tile
+  double LargestError = 0.0;         ///< largest actual RMSE of a tile
   std::vector<double> Ratios; ///< estimated / actual RMSE, of tiles with an actual RMSE above 1e-4
   double ConservativeFraction() const;
   double MedianRatio() const; ///< 0 without such tiles
