@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TextFont.h"
 
-#include "Files/FontFile.h"
 #include "Files/Report.h"
+#include "FontFile.h"
 #include "Processes/CommandError.h"
 
 #include "vtkTextProperty.h"

@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 
-PAGE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "user" / "F3D.md"
+PAGE = pathlib.Path(__file__).resolve().parents[3] / "Documentation" / "user" / "F3D.md"
 FLAGS = ("LONG_TIMEOUT DEFAULT_HDRI INTERACTION INTERACTION_CONFIGURE NO_BASELINE NO_RENDER NO_OUTPUT WILL_FAIL "
          "NO_DATA_FORCE_RENDER UI SCRIPT PIPED SKIP_GLES").split()
 VALUES = ("NAME BASELINE_PATH OUTPUT_PATH CONFIG RESOLUTION THRESHOLD REGEXP REGEXP_FAIL HDRI RENDERING_BACKEND WORKING_DIR "

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FontFile.h"
 
-#include "FileExtension.h"
-#include "MappedFile.h"
+#include "Files/FileExtension.h"
+#include "Files/MappedFile.h"
 
 #include <algorithm>
 #include <cstdint>
