@@ -161,13 +161,17 @@ private:
 
   bool IncreaseBlock(glm::ivec2 low, glm::ivec2 high, float factor)
   {
+    if (!(factor > 1.f))
+    {
+      return false;
+    }
     bool isIncreased = false;
     for (int y = low.y; y < high.y; ++y)
     {
       for (int x = low.x; x < high.x; ++x)
       {
         LightPixel& pixel = this->Grid.Pixels[this->Grid.GetCell(x, y)];
-        if (pixel.Sites > 0 && pixel.Target < MaximumSiteRays / Halves && factor > 1.f)
+        if (pixel.Sites > 0 && pixel.Target < MaximumSiteRays / Halves)
         {
           pixel.Target = static_cast<std::uint16_t>(Grow(pixel.Target, factor));
           isIncreased = true;
