@@ -118,8 +118,9 @@ public:
   }
 
 private:
-  // The numbers of rays grow in proportion to the estimated errors of blocks of pixels, which leads to the
-  // smallest error of the tile (Neyman allocation). Pixels alone would not do: neighbors share their rays.
+  // Numbers of rays in proportion to the errors of blocks of pixels would lead to the smallest error of the
+  // tile (Neyman allocation) if neighbors did not share their rays. They grow by the mean of this and of
+  // the same factor in the whole tile.
   bool IncreaseTile(glm::ivec2 first, float limit)
   {
     const Camera& camera = this->Tracer.GetScene().ViewCamera;
@@ -141,8 +142,8 @@ private:
       int pixels = 0;
       SumErrors(low, high, own, pixels);
       const float share = own * static_cast<float>(count) / (sum * static_cast<float>(pixels));
-      isIncreased |=
-        pixels > 0 && this->IncreaseBlock(low, high, sum / accepted * std::sqrt(share));
+      isIncreased |= pixels > 0 &&
+        this->IncreaseBlock(low, high, 0.5f * (1.f + std::sqrt(share)) * sum / accepted);
     }
     return isIncreased;
   }

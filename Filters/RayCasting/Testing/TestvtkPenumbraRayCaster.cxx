@@ -513,8 +513,8 @@ TEST(RayCasterOcclusion, MatchesTheClosedFormOfOcclusionBesideAWall)
       meanOcclusion += occlusion->GetValue(16 * y + x) / 16.0;
       meanColor += color->GetTypedComponent(16 * y + x, 0) / 16.0;
     }
-    // Three standard errors of a mean of 16 results with an error of twice the tolerance.
-    EXPECT_NEAR(meanOcclusion, exact, 0.006) << d;
-    EXPECT_NEAR(meanColor, 1.0 - exact, 0.006) << d;
+    // The tolerance of light: neighbors share their rays, so that their errors do not average out.
+    EXPECT_NEAR(meanOcclusion, exact, 0.01) << d;
+    EXPECT_NEAR(meanColor, 1.0 - exact, 0.01) << d;
   }
 }
