@@ -86,9 +86,11 @@ void RestoreCellIds(vtkImageData* image, vtkRenderer* renderer)
   const auto cells = vtkSmartPointer<vtkDataArray>::Take(extracted->NewInstance());
   cells->DeepCopy(extracted);
   std::vector<vtkDataArray*> originals;
+  // VTK 9.2 fills the collection again in each call of GetActors().
+  vtkActorCollection* const actors = renderer->GetActors();
   vtkCollectionSimpleIterator cookie;
-  renderer->GetActors()->InitTraversal(cookie);
-  while (vtkActor* actor = renderer->GetActors()->GetNextActor(cookie))
+  actors->InitTraversal(cookie);
+  while (vtkActor* actor = actors->GetNextActor(cookie))
   {
     originals.push_back(actor->GetMapper()->GetInput()->GetCellData()->GetArray(OriginalCellIds));
   }

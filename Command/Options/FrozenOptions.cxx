@@ -49,9 +49,11 @@ void FreezeCamera(vtkCamera* camera, CameraOptions& options)
 
 void FreezeColoring(vtkRenderer* renderer, ColoringOptions& options)
 {
+  // VTK 9.2 fills the collection again in each call of GetActors().
+  vtkActorCollection* const actors = renderer->GetActors();
   vtkCollectionSimpleIterator cookie;
-  renderer->GetActors()->InitTraversal(cookie);
-  while (vtkActor* actor = renderer->GetActors()->GetNextActor(cookie))
+  actors->InitTraversal(cookie);
+  while (vtkActor* actor = actors->GetNextActor(cookie))
   {
     vtkMapper* mapper = actor->GetMapper();
     // Mappers with colors of vertices use the active scalars.

@@ -97,9 +97,11 @@ Vector3 GetUp(const RenderOptions& options)
 template <typename Visitor>
 void ForEachPoint(vtkRenderer* renderer, const Visitor& visit)
 {
+  // VTK 9.2 fills the collection again in each call of GetActors().
+  vtkActorCollection* const actors = renderer->GetActors();
   vtkCollectionSimpleIterator cookie;
-  renderer->GetActors()->InitTraversal(cookie);
-  while (vtkActor* actor = renderer->GetActors()->GetNextActor(cookie))
+  actors->InitTraversal(cookie);
+  while (vtkActor* actor = actors->GetNextActor(cookie))
   {
     vtkDataSet* mesh = actor->GetMapper()->GetInput();
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)

@@ -122,9 +122,11 @@ vtkSmartPointer<vtkActor> MakeActor(
 void RemoveMaterialsOfColored(
   vtkRenderer* renderer, const RenderOptions& options, double unitsPerPoint)
 {
+  // VTK 9.2 fills the collection again in each call of GetActors().
+  vtkActorCollection* const actors = renderer->GetActors();
   vtkCollectionSimpleIterator cookie;
-  renderer->GetActors()->InitTraversal(cookie);
-  while (vtkActor* actor = renderer->GetActors()->GetNextActor(cookie))
+  actors->InitTraversal(cookie);
+  while (vtkActor* actor = actors->GetNextActor(cookie))
   {
     const int mode = actor->GetMapper()->GetScalarMode();
     if (mode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA || mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA)
