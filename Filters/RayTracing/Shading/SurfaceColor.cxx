@@ -3,6 +3,7 @@
 #include "SurfaceColor.h"
 
 #include "Background.h"
+#include "Environment/CubeMap.h"
 #include "Surface.h"
 
 #include <glm/gtc/constants.hpp>
@@ -99,10 +100,9 @@ bool HasMappedColor(const Surface& surface)
   return !surface.PointColors.empty() || surface.HasTriangleColors() || surface.ColorTexture;
 }
 
-// The selection of the face and its coordinates follow the OpenGL specification, section 8.13.
 glm::vec4 SampleSky(const Sky& sky, glm::dvec3 direction)
 {
-  glm::dvec3 d = glm::normalize(sky.FromScene * direction);
+  const glm::dvec3 d = glm::normalize(sky.FromScene * direction);
   glm::vec4 color;
   if (sky.Faces.size() < 6)
   {
@@ -112,15 +112,8 @@ glm::vec4 SampleSky(const Sky& sky, glm::dvec3 direction)
   }
   else
   {
-    d.z = -d.z; // VTK's cube maps are left-handed
-    const glm::dvec3 size = glm::abs(d);
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const double sign = d[axis] < 0.0 ? -1.0 : 1.0;
-    const glm::dvec2 st = axis == 0 ? glm::dvec2(-sign * d.z, -d.y)
-      : axis == 1                   ? glm::dvec2(d.x, sign * d.z)
-                                    : glm::dvec2(sign * d.x, -d.y);
-    const std::size_t face = 2 * static_cast<std::size_t>(axis) + (sign < 0.0 ? 1 : 0);
-    color = SampleTexture(*sky.Faces[face], glm::vec2(0.5 * (st / size[axis] + 1.0)));
+    const CubeMapPoint<double> point = FindCubeMapPoint(d);
+    color = SampleTexture(*sky.Faces[point.Face], glm::vec2(point.Position));
   }
   return sky.IsGammaCorrected
     ? glm::vec4(glm::pow(glm::vec3(color), glm::vec3(1.f / 2.2f)), color.a)

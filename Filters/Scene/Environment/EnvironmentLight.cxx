@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EnvironmentLight.h"
 
+#include "CubeMap.h"
 #include "Execution/ParallelFor.h"
 
 #include <glm/gtc/constants.hpp>
@@ -139,16 +140,8 @@ glm::vec3 EnvironmentLight::SampleImages(glm::vec3 direction) const
   {
     return SampleDirections(this->Faces[0], direction);
   }
-  direction.z = -direction.z; // VTK's cube maps are left-handed
-  const glm::vec3 size = glm::abs(direction);
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const float sign = direction[axis] < 0.f ? -1.f : 1.f;
-  const glm::vec2 st = axis == 0 ? glm::vec2(-sign * direction.z, -direction.y)
-    : axis == 1                  ? glm::vec2(direction.x, sign * direction.z)
-                                 : glm::vec2(sign * direction.x, -direction.y);
-  const glm::vec2 at = 0.5f * (st / size[axis] + 1.f);
-  const std::size_t face = 2 * static_cast<std::size_t>(axis) + (sign < 0.f ? 1 : 0);
-  return Interpolate(this->Faces[face], at.x, at.y, false);
+  const CubeMapPoint<float> point = FindCubeMapPoint(direction);
+  return Interpolate(this->Faces[point.Face], point.Position.x, point.Position.y, false);
 }
 
 RadianceImage EnvironmentLight::Reduce(float exponent) const
