@@ -155,6 +155,7 @@ vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(
   caster->SetResolution(options.Resolution[0], options.Resolution[1]);
   caster->SetTolerance(options.Tolerance);
   caster->SetLightTolerance(options.LightTolerance);
+  caster->SetTimeLimit(options.TimeLimit);
   caster->SetMaximumLevel(options.MaximumLevel);
   caster->SetFindSmallObjects(options.FindSmallObjects);
   caster->SetNumberOfThreads(options.Threads);

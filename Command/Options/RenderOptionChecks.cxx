@@ -194,6 +194,7 @@ std::vector<std::string> FindIgnoredOptions(const CommandLine& app, const Render
     { "--shafts-surface-light", !ray, "with --engine raster" },
     { "--shafts-behind-translucent", !ray, "with --engine raster, which always does so" },
     { "--max-level", !ray, "with --engine raster" },
+    { "--time-limit", !ray, "with --engine raster" },
     { "--no-small-objects", !ray, "with --engine raster" },
     { "--point-size", options.PointRadius > 0.0, "with --point-radius" },
     { "--line-width", options.LineRadius > 0.0 && !options.ShowEdges, "with --line-radius" },

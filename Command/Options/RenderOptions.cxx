@@ -85,6 +85,10 @@ void DeclareEngine(const CommandLine& app, RenderOptions& options)
     "instead of --tolerance",
     { 0.0, 1.0 })
     .Group("Engine");
+  AddNumber(app, "--time-limit", options.TimeLimit, "SECONDS",
+    "Longest time for an image, which is then the best one so far (ray); 0: no limit",
+    { 0.0, Infinity, false, true })
+    .Group("Engine");
   AddInteger(app, "--max-level", options.MaximumLevel,
     "Deepest subdivision of a pixel (ray); subpixels have side 2^-N", 0, 6)
     .Group("Engine");

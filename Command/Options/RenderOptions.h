@@ -74,6 +74,7 @@ struct RenderOptions
   double Tolerance = 1.0 / 256.0;
   bool HasTolerance = false;   ///< --tolerance is on the command line
   double LightTolerance = 0.0; ///< 0: from Tolerance
+  double TimeLimit = 0.0;      ///< seconds for an image; 0: none
   int MaximumLevel = 3;
   bool FindSmallObjects = true;
   int Threads = 0;

@@ -57,6 +57,7 @@ std::string NameOptions(std::string message)
     { "LightTolerance", "--light-tolerance" },
     { "Tolerance", "--tolerance" },
     { "MaximumLevel", "--max-level" },
+    { "TimeLimit", "--time-limit" },
     { "LightRadius", "--light-radius" },
     { "LightAngle", "--light-angle" },
     { "OpacityArray", "--opacity-array" },

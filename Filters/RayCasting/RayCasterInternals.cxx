@@ -25,6 +25,7 @@
 #include "vtkMath.h"
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -42,6 +43,9 @@ constexpr double SceneProgress = 1e-6;
 constexpr double ProviderProgress = 0.25;
 // Fraction of the progress for the geometry arrays.
 constexpr double GeometryProgress = 0.25;
+
+// A time limit that is reached at once, in seconds.
+constexpr double LeastSeconds = 1e-9;
 
 using penumbra::AddStatistic;
 
@@ -111,6 +115,17 @@ void vtkPenumbraRayCaster::Internals::ResetResults()
   this->EstimatedLightError = std::nan("");
   this->PhaseSeconds.fill(0.0);
   this->Extractions = 0;
+  this->Start = std::chrono::steady_clock::now();
+}
+
+void vtkPenumbraRayCaster::Internals::ModifyButKeepScene(vtkPenumbraRayCaster* self)
+{
+  const bool isPrepared = this->SettingsTime == self->vtkAlgorithm::GetMTime();
+  self->Modified();
+  if (isPrepared)
+  {
+    this->SettingsTime = self->vtkAlgorithm::GetMTime();
+  }
 }
 
 void vtkPenumbraRayCaster::Internals::Prepare(
@@ -268,6 +283,25 @@ penumbra::RenderSettings vtkPenumbraRayCaster::Internals::MakeSettings(
   return settings;
 }
 
+double vtkPenumbraRayCaster::Internals::ComputeElapsedSeconds() const
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
+}
+
+std::unique_ptr<penumbra::WorkLimit> vtkPenumbraRayCaster::Internals::MakeLimit(
+  vtkPenumbraRayCaster* self) const
+{
+  if (self->TimeLimit == 0.0)
+  {
+    return nullptr;
+  }
+  const double begin = this->ComputeElapsedSeconds();
+  const double rest = std::max(self->TimeLimit - begin, 0.0);
+  return std::make_unique<penumbra::WorkLimit>([this, begin, rest](double fraction) {
+    return this->ComputeElapsedSeconds() >= begin + fraction * rest;
+  });
+}
+
 double vtkPenumbraRayCaster::Internals::FindOcclusionRadius(vtkPenumbraRayCaster* self) const
 {
   const double radius = this->FindOcclusion(self).Radius;
@@ -388,6 +422,9 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   const auto progress = [self, progressBegin, progressEnd](double done) {
     return ReportProgress(self, progressBegin + (progressEnd - progressBegin) * done);
   };
+  const std::unique_ptr<penumbra::WorkLimit> limit = this->MakeLimit(self);
+  settings.Limit = limit.get();
+  settings.Integration.Limit = limit.get();
   penumbra::ImageTotals totals;
   if (!penumbra::RenderImage(tracer, this->Prepared->Edges, settings, progress, image, totals))
   {
@@ -402,13 +439,12 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
     }
     this->InspectImage(tracer, this->Prepared->Edges);
   }
-  if (self->CoverageMethod != UNIFORM)
+  const bool isEnded = limit && limit->HasEndedWork();
+  const penumbra::ToleranceReport tolerances =
+    penumbra::CheckTolerance(limits, totals, isEnded ? self->TimeLimit : 0.0, image);
+  if (!tolerances.Warning.empty())
   {
-    const std::string missed = penumbra::DescribeMissedTolerance(limits, totals, image);
-    if (!missed.empty())
-    {
-      vtkWarningWithObjectMacro(self, << missed);
-    }
+    vtkWarningWithObjectMacro(self, << tolerances.Warning);
   }
   if (self->GeometryArrays)
   {
@@ -423,6 +459,9 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
     }
   }
   this->Report(totals, image->GetNumberOfPoints());
+  AddStatistic(this->Statistics, "Pixels/Unfinished", totals.Unfinished);
+  AddStatistic(this->Statistics, "Tiles/AboveTolerance", tolerances.TilesAboveTolerance);
+  AddStatistic(this->Statistics, "TimeLimit/Reached", isEnded ? 1 : 0);
   if (self->Layers)
   {
     this->AddLayers(self, image);
@@ -465,6 +504,10 @@ void vtkPenumbraRayCaster::Internals::AddLayer(
   caster->SetUsePackets(self->UsePackets);
   caster->SetNumberOfThreads(self->NumberOfThreads);
   caster->SetDPI(self->DPI);
+  if (self->TimeLimit > 0.0)
+  {
+    caster->SetTimeLimit(std::max(self->TimeLimit - this->ComputeElapsedSeconds(), LeastSeconds));
+  }
   caster->SetBackground(!isAbove && self->Background && !layer->GetPreserveColorBuffer());
   caster->Update();
   penumbra::CompositeLayer(caster->GetOutput(), part.Low, isAbove, image);

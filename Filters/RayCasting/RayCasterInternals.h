@@ -7,6 +7,7 @@
 
 #include "vtkPenumbraRayCaster.h"
 
+#include "Execution/WorkLimit.h"
 #include "Image/ImageRenderer.h"
 #include "Import/SceneExtraction.h"
 #include "LightSizes.h"
@@ -22,6 +23,7 @@
 #include "vtkRenderer.h"
 #include "vtkWeakPointer.h"
 
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -81,8 +83,12 @@ struct vtkPenumbraRayCaster::Internals
   /// If set, called with the tracer of the image when the image is complete.
   std::function<void(const penumbra::CameraRayTracer&, const penumbra::SceneEdges&)> InspectImage;
 
+  std::chrono::steady_clock::time_point Start; ///< of the last execution
+
   OcclusionSettings FindOcclusion(vtkPenumbraRayCaster* self) const;
   void ResetResults();
+  /// Marks the ray caster as modified by a setting that a kept scene does not depend on.
+  void ModifyButKeepScene(vtkPenumbraRayCaster* self);
   void Prepare(vtkPenumbraRayCaster* self, vtkInformationVector* inputs);
   bool KeepsScene(vtkPenumbraRayCaster* self) const;
   bool UpdatePrepared(vtkPenumbraRayCaster* self, const penumbra::ExtractionOptions& options);
@@ -93,6 +99,9 @@ struct vtkPenumbraRayCaster::Internals
   bool Execute(vtkPenumbraRayCaster* self, vtkImageData* image);
   void AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image);
   void AddLayer(vtkPenumbraRayCaster* self, vtkRenderer* layer, bool isAbove, vtkImageData* image);
+  double ComputeElapsedSeconds() const;
+  /// Returns the time limit of the rest of the execution, or null if there is none.
+  std::unique_ptr<penumbra::WorkLimit> MakeLimit(vtkPenumbraRayCaster* self) const;
   double FindOcclusionRadius(vtkPenumbraRayCaster* self) const;
   /// Returns true if the occlusion is estimated for all pixels together, without a provider.
   bool JoinsPixels(vtkPenumbraRayCaster* self) const;

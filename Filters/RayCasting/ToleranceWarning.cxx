@@ -111,24 +111,33 @@ const char* FindRemedy(const TileErrors& tiles, const IntegrationSettings& setti
 
 }
 
-std::string DescribeMissedTolerance(
-  const IntegrationSettings& settings, const ImageTotals& totals, vtkImageData* image)
+ToleranceReport CheckTolerance(const IntegrationSettings& settings, const ImageTotals& totals,
+  double timeLimit, vtkImageData* image)
 {
   const TileErrors tiles = EvaluateTiles(image, settings);
   const double limit = settings.GetTileTolerance();
   const double error = totals.ComputeError(image->GetNumberOfPoints());
-  const bool isReported = tiles.AboveTolerance >= ReportedTiles ||
+  const bool isReported = timeLimit > 0.0 || tiles.AboveTolerance >= ReportedTiles ||
     tiles.AboveTolerance >= ReportedFraction * static_cast<double>(tiles.Tiles) ||
     error > (1.0 + RoundingError) * limit;
-  if (!isReported || tiles.AboveTolerance == 0)
+  const bool hasMethod =
+    timeLimit > 0.0 || settings.Method != IntegrationSettings::Methods::Uniform;
+  ToleranceReport report{ tiles.AboveTolerance, {} };
+  if (!isReported || !hasMethod || tiles.AboveTolerance == 0)
   {
-    return {};
+    return report;
   }
   std::ostringstream text;
+  if (timeLimit > 0.0)
+  {
+    text << "The time limit of " << timeLimit << " s ended the work. ";
+  }
   text << "The tolerance of " << limit << " was not reached in " << tiles.AboveTolerance << " of "
        << tiles.Tiles << " tiles of 16x16 pixels. The largest estimated error of a tile is "
-       << tiles.MaximumError << ". " << FindRemedy(tiles, settings);
-  return text.str();
+       << tiles.MaximumError << ". "
+       << (timeLimit > 0.0 ? "Increase TimeLimit." : FindRemedy(tiles, settings));
+  report.Warning = text.str();
+  return report;
 }
 
 }

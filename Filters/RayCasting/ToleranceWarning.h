@@ -7,6 +7,8 @@
 
 #include "Image/ImageRenderer.h"
 
+#include "vtkType.h"
+
 #include <string>
 
 class vtkImageData;
@@ -14,13 +16,21 @@ class vtkImageData;
 namespace penumbra
 {
 
+/// How the errors of an image compare with its tolerance.
+struct ToleranceReport
+{
+  vtkIdType TilesAboveTolerance = 0; ///< number of tiles of 16x16 pixels
+  std::string Warning;               ///< with the property to increase; may be empty
+};
+
 /**
- * Returns a warning, with the property to increase, if the estimated error of the image, of 4 tiles
- * of 16x16 pixels, or of 1 % of the tiles exceeds the tolerance of a tile; else an empty string.
- * `totals`: of the whole `image`, which has the arrays of RenderImage().
+ * Compares the estimated errors of the tiles of `image` with the tolerance of a tile. There is a
+ * warning if that of the image, of 4 tiles, or of 1 % of the tiles exceeds it. `totals`: of the whole
+ * image, which has the arrays of RenderImage(). `timeLimit`: seconds of the limit that ended the work,
+ * which warns of a single tile; 0 if none did.
  */
-std::string DescribeMissedTolerance(
-  const IntegrationSettings& settings, const ImageTotals& totals, vtkImageData* image);
+ToleranceReport CheckTolerance(const IntegrationSettings& settings, const ImageTotals& totals,
+  double timeLimit, vtkImageData* image);
 
 }
 #endif

@@ -22,8 +22,22 @@
 #include <cmath>
 #include <exception>
 #include <new>
+#include <stdexcept>
 
 vtkStandardNewMacro(vtkPenumbraRayCaster);
+
+namespace
+{
+
+void RequireTimeLimit(double seconds)
+{
+  if (!(seconds >= 0.0))
+  {
+    throw std::runtime_error("TimeLimit must be a number of seconds of 0 or more; 0 is no limit.");
+  }
+}
+
+}
 
 vtkPenumbraRayCaster::vtkPenumbraRayCaster()
   : Implementation(new Internals)
@@ -38,13 +52,17 @@ void vtkPenumbraRayCaster::SetRenderer(vtkRenderer* renderer)
   if (this->Implementation->Renderer != renderer)
   {
     // A kept scene is compared with the renderer that it was extracted from.
-    const bool isPrepared = this->Implementation->SettingsTime == this->vtkAlgorithm::GetMTime();
     this->Implementation->Renderer = renderer;
-    this->Modified();
-    if (isPrepared)
-    {
-      this->Implementation->SettingsTime = this->vtkAlgorithm::GetMTime();
-    }
+    this->Implementation->ModifyButKeepScene(this);
+  }
+}
+
+void vtkPenumbraRayCaster::SetTimeLimit(double seconds)
+{
+  if (this->TimeLimit != seconds)
+  {
+    this->TimeLimit = seconds;
+    this->Implementation->ModifyButKeepScene(this);
   }
 }
 
@@ -297,6 +315,7 @@ int vtkPenumbraRayCaster::RequestData(
       { this->Tolerance, this->LightTolerance, this->PointRadius, this->LineRadius,
         this->AmbientOcclusionRadius, this->AmbientOcclusionStrength, this->Albedo,
         this->EnvironmentColor[0], this->EnvironmentColor[1], this->EnvironmentColor[2] });
+    RequireTimeLimit(this->TimeLimit);
     penumbra::RequireLightSize(this->LightRadius, this->LightAngle);
     internals.SizedLights.Require();
     bool finished = true;
@@ -357,6 +376,7 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Resolution: " << this->Resolution[0] << " " << this->Resolution[1] << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "LightTolerance: " << this->LightTolerance << "\n";
+  os << indent << "TimeLimit: " << this->TimeLimit << "\n";
   os << indent << "CoverageMethod: " << this->CoverageMethod << "\n";
   os << indent << "UniformSamples: " << this->UniformSamples << "\n";
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";

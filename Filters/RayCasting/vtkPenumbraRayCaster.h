@@ -78,6 +78,19 @@ public:
   /** Accepted RMSE that light effects add: LightTolerance, or, if it is 0, 2.56 times Tolerance. */
   double GetEffectiveLightTolerance();
 
+  ///@{
+  /**
+   * Time in seconds after which an execution ends its work. The image is then the best one so far: it is
+   * complete, and its estimated errors include what is missing. One warning and the statistics
+   * `TimeLimit/Reached`, `Pixels/Unfinished` and `Tiles/AboveTolerance` report it. The time of the
+   * extraction of the scene, of the BVH, of the preparation of an irradiance provider, of one ray for
+   * every 8 x 8 pixels and of GeometryArrays counts, but they are not interrupted. Unless the limit is
+   * reached, the image does not depend on it. 0: no limit. Range: >= 0. Default: 0.
+   */
+  virtual void SetTimeLimit(double seconds);
+  vtkGetMacro(TimeLimit, double);
+  ///@}
+
   /** Methods to compute the fraction of a pixel that a surface covers. */
   enum CoverageMethods
   {
@@ -429,6 +442,7 @@ private:
   int Resolution[2] = { 1000, 600 };
   double Tolerance = 1.0 / 256.0;
   double LightTolerance = 0.0;
+  double TimeLimit = 0.0;
   int CoverageMethod = SILHOUETTES;
   int UniformSamples = 8;
   int MaximumLevel = 3;

@@ -21,6 +21,7 @@ REMEDIES = {
     "Increase Tolerance and LightTolerance.": "Pass a larger tolerance and light_tolerance.",
     "Increase Tolerance.": "Pass a larger tolerance.",
     "Increase LightTolerance.": "Pass a larger light_tolerance.",
+    "Increase TimeLimit.": "Pass a larger time_limit.",
 }
 
 

@@ -210,8 +210,8 @@ class PlotterAccessor:
         strength: float | None = None, shadows: bool | None = None, light_shafts: bool | None = None,
         light_radius: float = 0.0, light_angle: float = 0.0, indirect_light: bool = False,
         environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3, cache: Cache = None,
-        point_radius: float = 0.0, line_radius: float = 0.0, transparent_background: bool = False,
-        as_float: bool = False, return_statistics: bool = False, scale: int | None = None,
+        point_radius: float = 0.0, line_radius: float = 0.0, time_limit: float = 0.0,
+        transparent_background: bool = False, as_float: bool = False, return_statistics: bool = False, scale: int | None = None,
         progress: Progress | None = None,
     ) -> Any:
         """Return an image of the plotter by ray casting, antialiased to a tolerance.
@@ -249,6 +249,8 @@ class PlotterAccessor:
         point_radius, line_radius : float
             Radius of the spheres that represent points, and of the tubes that represent lines and wireframes, in world
             units. Range: [0, 1e30]. Default: 0, as the plotter draws them.
+        time_limit : float
+            Time in seconds after which the work on a renderer ends with the best image so far. Default: 0, no limit.
         return_statistics : bool
             If True, return ``(image, statistics)``. The statistics include ``EstimatedError``, the
             estimated RMSE, and ``EstimatedLightError``, the part that light effects cause.
@@ -265,7 +267,7 @@ class PlotterAccessor:
         settings = Settings(
             tolerance, light_tolerance, ambient_occlusion, radius, falloff, strength, shadows, light_shafts,
             indirect_light, environment_color, albedo, bounces, transparent_background, 72 * scale,
-            light_radius, light_angle, point_radius, line_radius, cache)
+            light_radius, light_angle, point_radius, line_radius, cache, time_limit)
         window = self._plotter.render_window
         if window is None:
             raise RuntimeError("the plotter is closed: call ray_cast() before close() or show()")

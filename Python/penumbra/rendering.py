@@ -65,10 +65,12 @@ class Settings:
     point_radius: float = 0.0
     line_radius: float = 0.0
     cache: Any = None
+    time_limit: float = 0.0
 
     def __post_init__(self) -> None:
         check_range("tolerance", self.tolerance, 1e-6, 1.0)
         check_range("light_tolerance", self.light_tolerance, 0.0, 1.0)
+        check_range("time_limit", self.time_limit, 0.0, float("inf"))
         check_radius(self.radius)
         check_choice("falloff", self.falloff, FALLOFFS)
         if self.strength is not None:
@@ -171,6 +173,7 @@ def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> tup
     caster.SetResolution(*size)
     caster.SetTolerance(settings.tolerance)
     caster.SetLightTolerance(settings.light_tolerance)
+    caster.SetTimeLimit(settings.time_limit)
     if settings.shadows is not None:
         caster.SetShadows(bool(settings.shadows))
     caster.SetLightRadius(settings.light_radius)
@@ -362,7 +365,7 @@ def render(
     radius: float | None = None, falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
     light_shafts: bool | None = None, light_radius: float = 0.0, light_angle: float = 0.0,
     indirect_light: bool = False, environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
-    cache: Cache = None, point_radius: float = 0.0, line_radius: float = 0.0,
+    cache: Cache = None, point_radius: float = 0.0, line_radius: float = 0.0, time_limit: float = 0.0,
     transparent_background: bool = False, as_float: bool = False, progress: Progress | None = None,
     return_statistics: Literal[False] = False,
 ) -> Image: ...
@@ -375,7 +378,7 @@ def render(
     radius: float | None = None, falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
     light_shafts: bool | None = None, light_radius: float = 0.0, light_angle: float = 0.0,
     indirect_light: bool = False, environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
-    cache: Cache = None, point_radius: float = 0.0, line_radius: float = 0.0,
+    cache: Cache = None, point_radius: float = 0.0, line_radius: float = 0.0, time_limit: float = 0.0,
     transparent_background: bool = False, as_float: bool = False, progress: Progress | None = None,
     return_statistics: Literal[True],
 ) -> tuple[Image, dict[str, Any]]: ...
@@ -387,7 +390,7 @@ def render(
     radius: float | None = None, falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
     light_shafts: bool | None = None, light_radius: float = 0.0, light_angle: float = 0.0,
     indirect_light: bool = False, environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
-    cache: Cache = None, point_radius: float = 0.0, line_radius: float = 0.0,
+    cache: Cache = None, point_radius: float = 0.0, line_radius: float = 0.0, time_limit: float = 0.0,
     transparent_background: bool = False, as_float: bool = False, progress: Progress | None = None,
     return_statistics: bool = False,
 ) -> Image | tuple[Image, dict[str, Any]]:
@@ -445,6 +448,9 @@ def render(
     line_radius : float
         Radius of the tubes that represent lines and wireframes, in world units. Range: [0, 1e30]. Default: 0, lines
         have their width in pixels.
+    time_limit : float
+        Time in seconds after which the work on a renderer ends with the best image so far. Range: >= 0. Default: 0, no
+        limit.
     transparent_background : bool
         If True, the image has a fourth channel, the covered fraction of each pixel.
     as_float : bool
@@ -489,7 +495,7 @@ def render(
     settings = Settings(
         tolerance, light_tolerance, ambient_occlusion, radius, falloff, strength, shadows, light_shafts, indirect_light,
         environment_color, albedo, bounces, transparent_background, 72, light_radius, light_angle, point_radius,
-        line_radius, cache)
+        line_radius, cache, time_limit)
     renderers, pixels = _resolve(scene, window_size, color, camera, point_radius, line_radius)
     canvas, statistics = cast_renderers(renderers, pixels, settings, progress)
     image = finish(canvas, transparent_background, as_float)

@@ -7,6 +7,7 @@
 #define penumbra_PixelIntegrator_h
 
 #include "Edges/Silhouettes.h"
+#include "Execution/WorkLimit.h"
 #include "PixelArrangement.h"
 #include "Rasterization/TileRasterizer.h"
 #include "SampledPixel.h"
@@ -41,6 +42,7 @@ struct IntegrationSettings
   bool Shadows = false;
   double LightTolerance = 0.0; ///< accepted RMSE that light effects add; 0: there are none
   double Noise = 0.0;          ///< standard error of sampled colors, which refinement cannot reduce
+  WorkLimit* Limit = nullptr;  ///< ends the refinement of pixels early; null: none
 
   /// Returns the accepted RMSE of a tile.
   double GetTileTolerance() const

@@ -80,7 +80,7 @@ struct Candidate
 
 }
 
-void RefineTile(PixelIntegrator& integrator, const std::vector<SampledPixel*>& pixels, int count,
+bool RefineTile(PixelIntegrator& integrator, const std::vector<SampledPixel*>& pixels, int count,
   double squaredError)
 {
   const IntegrationSettings& settings = integrator.GetSettings();
@@ -92,6 +92,7 @@ void RefineTile(PixelIntegrator& integrator, const std::vector<SampledPixel*>& p
   // A few pixels may use the budget of the whole tile, even at the edge of the image.
   double budget = ComputeSampleBudget(settings.Tolerance) * PixelsPerTile;
   std::vector<Candidate> candidates;
+  bool isEnded = false;
   for (;;)
   {
     const PooledErrors pooled(pixels);
@@ -114,13 +115,18 @@ void RefineTile(PixelIntegrator& integrator, const std::vector<SampledPixel*>& p
       const double rays = ComputeCost(*candidate.Pixel);
       if ((sum > tileLimit || candidate.SquaredError > pixelLimit) && rays <= budget)
       {
+        isEnded = isEnded || IsReached(settings.Limit);
+        if (isEnded)
+        {
+          break;
+        }
         integrator.Refine(*candidate.Pixel);
         sum -= (1.0 - std::exp2(-SampledErrorDecay)) * candidate.SquaredError;
         budget -= rays;
         refined = true;
       }
     }
-    if (!refined)
+    if (!refined || isEnded)
     {
       break;
     }
@@ -131,6 +137,7 @@ void RefineTile(PixelIntegrator& integrator, const std::vector<SampledPixel*>& p
     pixel->Result.Error = static_cast<float>(std::sqrt(pooled.ComputeSquaredError(*pixel)));
     pixel->Result.LightError = std::min(pixel->Result.LightError, pixel->Result.Error);
   }
+  return !isEnded;
 }
 
 }

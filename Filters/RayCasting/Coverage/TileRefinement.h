@@ -16,9 +16,9 @@ namespace penumbra
  * Refines `pixels`, the sampled pixels of a tile of `count` pixels, until the estimated RMSE of the
  * tile is below the tolerance and no error of a pixel is far above it, or until the maximum number
  * of samples is reached. `squaredError` is the sum of the squared estimated errors of the other
- * pixels of the tile.
+ * pixels of the tile. Returns false if the limit of the integration ended the refinement.
  */
-void RefineTile(PixelIntegrator& integrator, const std::vector<SampledPixel*>& pixels, int count,
+bool RefineTile(PixelIntegrator& integrator, const std::vector<SampledPixel*>& pixels, int count,
   double squaredError);
 
 }

@@ -26,6 +26,7 @@ struct RenderSettings
   double OcclusionTolerance = 0.0;
   bool KeepsOcclusion = false; ///< if on, the region stores the mean occlusion of each pixel
   bool UsePackets = true;      ///< If on, trace corner rays in packets of 16.
+  WorkLimit* Limit = nullptr;  ///< ends the work on a region early; null: none
 
   /// Returns true if light effects add an error of their own.
   bool HasLightErrors() const { return this->Integration.LightTolerance > 0.0 || this->Occlusion; }
@@ -62,7 +63,8 @@ struct ImageRegion
   std::vector<float> RaysPerPixel; ///< refinement rays; uniform sampling: all rays
   RayCounts Rays;
   PixelCounts Pixels;
-  long long Edges = 0; ///< number of projected edges
+  long long Unfinished = 0; ///< number of pixels whose work the limit ended
+  long long Edges = 0;      ///< number of projected edges
 
   std::size_t Index(int x, int y) const
   {
@@ -73,8 +75,8 @@ struct ImageRegion
 
 /**
  * Renders the pixels [region.Low, region.High), which must lie in the image of the camera. The
- * colors do not depend on the region or on the number of threads. Returns false if `progress`
- * requested a stop.
+ * colors do not depend on the region or on the number of threads, unless a limit ends the work. Returns
+ * false if `progress` requested a stop.
  */
 VTKPENUMBRAFILTERSRAYCASTING_EXPORT bool RenderRegion(const CameraRayTracer& tracer,
   const SceneEdges& sceneEdges, const RenderSettings& settings, const ProgressCallback& progress,

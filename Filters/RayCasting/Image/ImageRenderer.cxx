@@ -115,6 +115,10 @@ bool RenderImage(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
     const auto regionProgress = [&](double inRegion) {
       return progress(std::min(done + fraction * inRegion, 1.0));
     };
+    if (settings.Limit)
+    {
+      settings.Limit->BeginPart(std::min(done + fraction, 1.0));
+    }
     if (!RenderRegion(tracer, sceneEdges, settings, regionProgress, region))
     {
       return false;
@@ -122,6 +126,7 @@ bool RenderImage(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
     CopyRows(region, scene.OverlayImage, image, totals);
     totals.Rays += region.Rays;
     totals.Pixels += region.Pixels;
+    totals.Unfinished += region.Unfinished;
     totals.Edges = std::max(totals.Edges, region.Edges);
   }
   return true;

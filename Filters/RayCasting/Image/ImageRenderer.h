@@ -22,6 +22,7 @@ struct ImageTotals
   RayCounts Rays;
   PixelCounts Pixels;
   long long Edges = 0;            ///< number of projected edges
+  long long Unfinished = 0;       ///< number of pixels whose work the limit ended
   double SquaredError = 0.0;      ///< sum of the squared estimated errors of the pixels
   double SquaredLightError = 0.0; ///< part that light effects cause
 

@@ -9,6 +9,7 @@
 #include "SiteSampler.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 
@@ -48,44 +49,48 @@ public:
   {
   }
 
-  /// Finds the sites of all tiles.
-  void FindSites(double to, const ProgressCallback& progress, RayCounts& counts)
+  /// Finds the sites of the tiles. Returns false if the limit ended this; the next call continues.
+  bool FindSites(
+    WorkLimit* limit, double from, double to, const ProgressCallback& progress, RayCounts& counts)
   {
-    std::vector<std::vector<LightSite>> sites(this->Count);
-    this->Grid.Pixels.assign(
-      static_cast<std::size_t>(this->Grid.GetSize().x) * this->Grid.GetSize().y, LightPixel());
-    this->ForTiles(0.0, to, progress, counts, [&](int tile, SiteSampler& sampler) {
-      this->VisitBlocks(tile, [&](glm::ivec2 first) {
-        sampler.FindSites(first);
-        for (int cell = 0; cell < SiteSampler::Cells; ++cell)
-        {
-          LightPixel& pixel = this->GetPixel(first, cell);
-          pixel = sampler.GetPixel(cell);
-          pixel.Begin = static_cast<std::uint32_t>(sites[tile].size());
-          const std::vector<LightSite>& found = sampler.GetSites(cell);
-          sites[tile].insert(sites[tile].end(), found.begin(), found.end());
-        }
-      });
-    });
-    for (std::size_t tile = 0; tile < sites.size(); ++tile)
+    if (this->FoundSites.empty())
     {
-      this->VisitBlocks(static_cast<int>(tile), [&](glm::ivec2 first) {
-        for (int cell = 0; cell < SiteSampler::Cells; ++cell)
-        {
-          this->GetPixel(first, cell).Begin += static_cast<std::uint32_t>(this->Grid.Sites.size());
-        }
-      });
-      this->Grid.Sites.insert(this->Grid.Sites.end(), sites[tile].begin(), sites[tile].end());
-      std::vector<LightSite>().swap(sites[tile]);
+      this->FoundSites.resize(this->Count);
+      this->Done.assign(this->Count, 0);
+      this->Grid.Pixels.assign(
+        static_cast<std::size_t>(this->Grid.GetSize().x) * this->Grid.GetSize().y, LightPixel());
     }
+    const bool finished = this->ForTiles(
+      limit, from, to, progress, counts, this->Count, [&](int tile, SiteSampler& sampler) {
+        std::vector<LightSite>& sites = this->FoundSites[tile];
+        this->VisitBlocks(tile, [&](glm::ivec2 first) {
+          sampler.FindSites(first);
+          for (int cell = 0; cell < SiteSampler::Cells; ++cell)
+          {
+            LightPixel& pixel = this->GetPixel(first, cell);
+            pixel = sampler.GetPixel(cell);
+            pixel.Begin = static_cast<std::uint32_t>(sites.size());
+            const std::vector<LightSite>& found = sampler.GetSites(cell);
+            sites.insert(sites.end(), found.begin(), found.end());
+          }
+        });
+      });
+    if (finished)
+    {
+      this->JoinTiles();
+    }
+    return finished;
   }
 
   /// Increases the targets of pixels in the tiles whose estimated error exceeds `tolerance`. Returns
-  /// true if there are such tiles.
+  /// true if there are such tiles. Does nothing until AddSamples() has traced them all.
   bool Increase(double tolerance)
   {
+    if (!this->Increased.empty())
+    {
+      return true;
+    }
     const auto limit = static_cast<float>(Square(LightErrorMargin * tolerance));
-    this->Increased.clear();
     for (int tile = 0; tile < this->Count; ++tile)
     {
       if (this->IncreaseTile(this->GetFirst(static_cast<int>(tile)), limit))
@@ -93,15 +98,18 @@ public:
         this->Increased.push_back(static_cast<int>(tile));
       }
     }
+    this->Done.assign(this->Increased.size(), 0);
     return !this->Increased.empty();
   }
 
-  /// Traces the samples that Increase() has added.
-  void AddSamples(double from, double to, const ProgressCallback& progress, RayCounts& counts)
+  /// Traces the samples that Increase() has added. Returns false if the limit ended this; the next call
+  /// continues.
+  bool AddSamples(
+    WorkLimit* limit, double from, double to, const ProgressCallback& progress, RayCounts& counts)
   {
-    this->ForTiles(
-      from, to, progress, counts,
-      [&](int i, SiteSampler& sampler) {
+    const int count = static_cast<int>(this->Increased.size());
+    const bool finished =
+      this->ForTiles(limit, from, to, progress, counts, count, [&](int i, SiteSampler& sampler) {
         const int tile = this->Increased[i];
         this->VisitBlocks(tile, [&](glm::ivec2 first) {
           sampler.AddSamples(first, this->Grid);
@@ -113,11 +121,32 @@ public:
               this->Grid.Sites.begin() + pixel.Begin);
           }
         });
-      },
-      static_cast<int>(this->Increased.size()));
+      });
+    if (finished)
+    {
+      this->Increased.clear();
+    }
+    return finished;
   }
 
 private:
+  /// Moves the sites of all tiles to the grid.
+  void JoinTiles()
+  {
+    for (std::size_t tile = 0; tile < this->FoundSites.size(); ++tile)
+    {
+      std::vector<LightSite>& sites = this->FoundSites[tile];
+      this->VisitBlocks(static_cast<int>(tile), [&](glm::ivec2 first) {
+        for (int cell = 0; cell < SiteSampler::Cells; ++cell)
+        {
+          this->GetPixel(first, cell).Begin += static_cast<std::uint32_t>(this->Grid.Sites.size());
+        }
+      });
+      this->Grid.Sites.insert(this->Grid.Sites.end(), sites.begin(), sites.end());
+      std::vector<LightSite>().swap(sites);
+    }
+  }
+
   // Numbers of rays in proportion to the errors of blocks of pixels would lead to the smallest error of the
   // tile (Neyman allocation) if neighbors did not share their rays. They grow by the mean of this and of
   // the same factor in the whole tile.
@@ -216,24 +245,36 @@ private:
     }
   }
 
+  /// Calls work(i, sampler) for i in [0, count) that are not done. Returns true if all are.
   template <typename Work>
-  void ForTiles(double from, double to, const ProgressCallback& progress, RayCounts& counts,
-    const Work& work, int count = -1)
+  bool ForTiles(WorkLimit* limit, double from, double to, const ProgressCallback& progress,
+    RayCounts& counts, int count, const Work& work)
   {
     std::mutex totals;
-    const bool finished =
-      ParallelForWithProgress(count < 0 ? this->Count : count, from, to, progress, [&](int i) {
-        SiteSampler sampler(this->Tracer, this->Rays);
-        work(i, sampler);
-        const std::lock_guard<std::mutex> lock(totals);
-        counts += sampler.Counts;
-        counts.Auxiliary += sampler.CameraRays;
-        counts.Occlusion += sampler.LightRays;
-      });
-    if (!finished)
+    std::atomic<bool> finished{ true };
+    const auto visit = [&](int i) {
+      if (this->Done[i] != 0)
+      {
+        return;
+      }
+      if (IsReached(limit))
+      {
+        finished = false;
+        return;
+      }
+      SiteSampler sampler(this->Tracer, this->Rays);
+      work(i, sampler);
+      this->Done[i] = 1;
+      const std::lock_guard<std::mutex> lock(totals);
+      counts += sampler.Counts;
+      counts.Auxiliary += sampler.CameraRays;
+      counts.Occlusion += sampler.LightRays;
+    };
+    if (!ParallelForWithProgress(count, from, to, progress, visit))
     {
       throw Stopped();
     }
+    return finished;
   }
 
   const OcclusionField& Field;
@@ -242,12 +283,14 @@ private:
   const OcclusionRays& Rays;
   glm::ivec2 Tiles;
   int Count;
-  std::vector<int> Increased;
+  std::vector<int> Increased;                     ///< tiles that get more samples in this round
+  std::vector<char> Done;                         ///< flags of the tiles of this round
+  std::vector<std::vector<LightSite>> FoundSites; ///< per tile, until all are known
 };
 
 OcclusionField::OcclusionField(const CameraRayTracer& tracer, const OcclusionRays& rays,
-  double tolerance, glm::ivec2 low, glm::ivec2 high, const ProgressCallback& progress,
-  RayCounts& counts)
+  double tolerance, glm::ivec2 low, glm::ivec2 high)
+  : Tolerance(tolerance)
 {
   // Every round extends the sites that an estimate depends on.
   const Camera& camera = tracer.GetScene().ViewCamera;
@@ -255,15 +298,47 @@ OcclusionField::OcclusionField(const CameraRayTracer& tracer, const OcclusionRay
   this->Grid.Low = glm::max(RoundDown(low - margin), glm::ivec2(0));
   this->Grid.High = glm::min(RoundDown(high + margin) + LightTileSide,
     RoundDown({ camera.Width, camera.Height }) + LightTileSide);
-  TileSamples tiles(*this, tracer, rays);
-  const double step = 1.0 / (LightRounds + 1);
-  tiles.FindSites(step, progress, counts);
-  JoinSites(this->Grid);
-  for (int round = 1; round <= LightRounds && tiles.Increase(tolerance); ++round)
+  this->Tiles = std::make_unique<TileSamples>(*this, tracer, rays);
+}
+
+OcclusionField::~OcclusionField() = default;
+
+bool OcclusionField::FindSites(
+  WorkLimit* limit, double from, double to, const ProgressCallback& progress, RayCounts& counts)
+{
+  if (this->Round == 0)
   {
-    tiles.AddSamples(round * step, (round + 1) * step, progress, counts);
+    if (!this->Tiles->FindSites(limit, from, to, progress, counts))
+    {
+      return false;
+    }
     JoinSites(this->Grid);
+    this->Round = 1;
   }
+  return true;
+}
+
+bool OcclusionField::AddRounds(
+  WorkLimit* limit, double from, double to, const ProgressCallback& progress, RayCounts& counts)
+{
+  const double step = (to - from) / LightRounds;
+  while (this->Round <= LightRounds && this->Tiles->Increase(this->Tolerance))
+  {
+    const long long before = counts.Occlusion;
+    const bool finished = this->Tiles->AddSamples(
+      limit, from + (this->Round - 1) * step, from + this->Round * step, progress, counts);
+    if (counts.Occlusion != before)
+    {
+      JoinSites(this->Grid);
+    }
+    if (!finished)
+    {
+      return false;
+    }
+    ++this->Round;
+  }
+  this->Round = LightRounds + 1;
+  return true;
 }
 
 float OcclusionField::Evaluate(const LightSite& site) const

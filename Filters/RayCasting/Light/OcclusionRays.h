@@ -7,11 +7,12 @@
 
 #include "Embree/RayScene.h"
 #include "Shading/DistanceFalloff.h"
+#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
 namespace penumbra
 {
 
-class OcclusionRays
+class VTKPENUMBRAFILTERSRAYCASTING_EXPORT OcclusionRays
 {
 public:
   static constexpr int PacketSize = 16;

@@ -27,6 +27,13 @@ public:
   /// Returns the number of strips: StripLength consecutive blocks of a row, or its rest.
   int GetNumberOfStrips() const { return this->StripsPerRow * this->Blocks.y; }
 
+  /// Returns the strip of the corner (x, y).
+  int GetStrip(int x, int y) const
+  {
+    const glm::ivec2 block = glm::ivec2(x, y) / BlockSide - this->FirstBlock;
+    return block.y * this->StripsPerRow + block.x / StripLength;
+  }
+
   /// Traces one strip of blocks. Different strips may be traced in parallel.
   void TraceStrip(const CameraRayTracer& tracer, int strip, bool packets, RayCounts& counts);
 

@@ -19,6 +19,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <regex>
 
 using namespace penumbra_testing;
@@ -48,6 +49,31 @@ TEST(Messages, MissedTolerancesNameOptions)
     { "--light-position", "2,2,2", "--light-radius", "1", "--light-tolerance", "1e-4",
       "--max-level", "0" });
   ExpectOptions(RunProgram(light), "Increase --");
+}
+
+TEST(Messages, ReachedTimeLimitsNameTheirOption)
+{
+  const Folder folder("time-limit");
+  WriteSphereWithArrays(folder / "sphere.vtp");
+  const std::vector<std::string> render = { "render", folder / "sphere.vtp", "--output",
+    folder / "a.png", "--resolution", "80,60", "--time-limit" };
+  const auto run = [&](const std::string& seconds) {
+    std::vector<std::string> arguments = render;
+    arguments.push_back(seconds);
+    return RunProgram(arguments);
+  };
+  const ProgramResult ended = run("1e-9");
+  EXPECT_EQ(ended.Status, 0);
+  ExpectOptions(ended, "Increase --time-limit");
+  EXPECT_EQ(std::count(ended.Errors.begin(), ended.Errors.end(), '\n'), 1) << ended.Errors;
+  EXPECT_EQ(run("inf").Errors, "");
+  for (const char* seconds : { "-1", "nan" })
+  {
+    const ProgramResult refused = run(seconds);
+    EXPECT_EQ(refused.Status, 2);
+    ExpectOptions(refused, "--time-limit");
+    EXPECT_EQ(std::count(refused.Errors.begin(), refused.Errors.end(), '\n'), 1) << refused.Errors;
+  }
 }
 
 TEST(Messages, BakingWithoutLightNamesOptions)

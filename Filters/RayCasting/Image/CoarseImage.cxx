@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CoarseImage.h"
+
+#include "Coverage/CoverageConstants.h"
+#include "Scene.h"
+#include "Shading/HemisphereSampling.h"
+#include "Shading/OwenSobolSequence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+namespace penumbra
+{
+
+namespace
+{
+
+/// Distance between the rays in pixels.
+constexpr int Spacing = 8;
+/// Number of occlusion rays from each layer, a multiple of the size of packets.
+constexpr std::uint32_t OcclusionRaysOfLayer = 32;
+/// Part of the squared deviation of a node from its neighbors that is expected as the squared error
+/// between nodes: in the same cell, and on average over the region, for objects that no ray hits.
+constexpr float LocalDeviation = 0.25f;
+constexpr float MeanDeviationPart = 0.25f;
+/// Minimum estimated error of a coarse color, for objects that no ray of the region hits.
+constexpr float CoarseErrorFloor = 0.01f;
+
+float Square(float x)
+{
+  return x * x;
+}
+
+float MaximumComponent(const glm::vec4& v)
+{
+  return std::max({ v.x, v.y, v.z, v.w });
+}
+
+/// Returns the mean occlusion of a layer.
+float EstimateOcclusion(const OcclusionRays& source, const OccludedLayer& layer, RayCounts& counts)
+{
+  const OwenSobolSequence sequence(HashPoint(layer.Position, layer.Normal));
+  const SurfaceNormals normals(layer.Normal, layer.Geometric);
+  const glm::mat3 frame = FrameFromNormal(layer.Normal);
+  float sum = 0.f;
+  for (std::uint32_t first = 0; first < OcclusionRaysOfLayer; first += OcclusionRays::PacketSize)
+  {
+    Ray rays[OcclusionRays::PacketSize];
+    float values[OcclusionRays::PacketSize];
+    for (std::uint32_t i = 0; i < OcclusionRays::PacketSize; ++i)
+    {
+      const glm::vec2 at = sequence.At(first + i);
+      rays[i].Origin = layer.Position + RayOriginOffset(layer.Position) * layer.Geometric;
+      rays[i].Direction =
+        normals.ReflectAbove(frame * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
+      rays[i].Far = source.GetRadius();
+    }
+    source.Trace(rays, values, counts.Occlusion);
+    counts.Occlusion += OcclusionRays::PacketSize;
+    for (const float value : values)
+    {
+      sum += value;
+    }
+  }
+  return sum / static_cast<float>(OcclusionRaysOfLayer);
+}
+
+}
+
+CoarseImage::CoarseImage(const CameraRayTracer& tracer, const OcclusionRays* occlusion,
+  glm::ivec2 low, glm::ivec2 high, const ProgressCallback& progress, RayCounts& counts)
+  : Low(low / Spacing),
+    Last(tracer.GetScene().ViewCamera.Width, tracer.GetScene().ViewCamera.Height),
+    Count((high + Spacing - 1) / Spacing - this->Low + 1),
+    Nodes(static_cast<std::size_t>(this->Count.x) * this->Count.y)
+{
+  const int nodes = static_cast<int>(this->Nodes.size());
+  std::mutex totals;
+  if (!ParallelForWithProgress(
+        (nodes + CameraRayTracer::PacketSize - 1) / CameraRayTracer::PacketSize, 0.0, 0.0, progress,
+        [&](int packet) {
+          RayCounts own;
+          this->TracePacket(tracer, occlusion, packet * CameraRayTracer::PacketSize, own);
+          const std::lock_guard<std::mutex> lock(totals);
+          counts += own;
+        }))
+  {
+    throw Stopped();
+  }
+  this->FindDeviations();
+}
+
+glm::ivec2 CoarseImage::GetPosition(glm::ivec2 node) const
+{
+  return glm::min((this->Low + node) * Spacing, this->Last);
+}
+
+void CoarseImage::TracePacket(
+  const CameraRayTracer& tracer, const OcclusionRays* occlusion, int first, RayCounts& counts)
+{
+  constexpr int Size = CameraRayTracer::PacketSize;
+  const int count = std::min(static_cast<int>(this->Nodes.size()) - first, Size);
+  const unsigned int active = (1u << count) - 1u;
+  glm::dvec2 points[Size];
+  Sample samples[Size];
+  for (int i = 0; i < Size; ++i)
+  {
+    const int node = first + std::min(i, count - 1);
+    points[i] = glm::dvec2(this->GetPosition({ node % this->Count.x, node / this->Count.x }));
+  }
+  std::vector<OccludedLayer> layers[Size];
+  occlusion ? tracer.TraceLayers(points, active, active, samples, layers, counts)
+            : tracer.TracePacket(points, active, samples, counts);
+  counts.Auxiliary += count;
+  for (int i = 0; i < count; ++i)
+  {
+    Node& node = this->Nodes[first + i];
+    node.Color = samples[i].Color;
+    glm::vec3 removed(0.f);
+    for (const OccludedLayer& layer : layers[i])
+    {
+      removed += EstimateOcclusion(*occlusion, layer, counts) * layer.Color;
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      node.Factor[c] =
+        node.Color[c] > 0.f ? std::clamp(1.f - removed[c] / node.Color[c], 0.f, 1.f) : 1.f;
+    }
+  }
+}
+
+// Values that are interpolated between the neighbors of a node differ from it about twice as much as
+// between nodes from the image.
+void CoarseImage::FindDeviations()
+{
+  double sum = 0.0;
+  double factorSum = 0.0;
+  for (std::size_t i = 0; i < this->Nodes.size(); ++i)
+  {
+    const glm::ivec2 at(static_cast<int>(i) % this->Count.x, static_cast<int>(i) / this->Count.x);
+    glm::vec4 color(0.f);
+    glm::vec3 factor(0.f);
+    float count = 0.f;
+    for (const glm::ivec2 step : { glm::ivec2(1, 0), { -1, 0 }, { 0, 1 }, { 0, -1 } })
+    {
+      const glm::ivec2 other = at + step;
+      if (other.x >= 0 && other.y >= 0 && other.x < this->Count.x && other.y < this->Count.y)
+      {
+        color += this->GetNode(other).Color;
+        factor += this->GetNode(other).Factor;
+        count += 1.f;
+      }
+    }
+    Node& node = this->Nodes[i];
+    node.Deviation = Square(MaximumComponent(glm::abs(node.Color - color / count)));
+    node.FactorDeviation =
+      Square(MaximumComponent(glm::vec4(glm::abs(node.Factor - factor / count), 0.f)));
+    sum += node.Deviation;
+    factorSum += node.FactorDeviation;
+  }
+  this->MeanDeviation = static_cast<float>(sum / static_cast<double>(this->Nodes.size()));
+  this->MeanFactorDeviation =
+    static_cast<float>(factorSum / static_cast<double>(this->Nodes.size()));
+}
+
+CoarseImage::Value CoarseImage::At(int x, int y) const
+{
+  const glm::ivec2 cell = glm::ivec2(x, y) / Spacing - this->Low;
+  const glm::vec2 low(this->GetPosition(cell));
+  const glm::vec2 high(this->GetPosition(cell + 1));
+  const glm::vec2 u = (glm::vec2(x, y) + 0.5f - low) / (high - low);
+  Value value;
+  value.Factor = glm::vec3(0.f);
+  glm::vec4 least(1e30f);
+  glm::vec4 most(-1e30f);
+  float deviation = 0.f;
+  float factorDeviation = 0.f;
+  for (int i = 0; i < 4; ++i)
+  {
+    const Node& node = this->GetNode(cell + glm::ivec2(i & 1, i >> 1));
+    const float weight = ((i & 1) ? u.x : 1.f - u.x) * ((i >> 1) ? u.y : 1.f - u.y);
+    value.Color += weight * node.Color;
+    value.Factor += weight * node.Factor;
+    least = glm::min(least, node.Color);
+    most = glm::max(most, node.Color);
+    deviation += 0.25f * node.Deviation;
+    factorDeviation += 0.25f * node.FactorDeviation;
+  }
+  value.Error =
+    std::sqrt(Square(ContrastError * MaximumComponent(most - least)) + LocalDeviation * deviation +
+      MeanDeviationPart * this->MeanDeviation + Square(CoarseErrorFloor));
+  value.FactorError = MaximumComponent(glm::vec4(glm::vec3(value.Color), 0.f)) *
+    std::sqrt(LocalDeviation * factorDeviation + MeanDeviationPart * this->MeanFactorDeviation);
+  return value;
+}
+
+}

@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RegionTiles.h"
+
+#include "Coverage/CoverageConstants.h"
+#include "Coverage/TileRefinement.h"
+#include "Scene.h"
+#include "Surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace penumbra
+{
+
+namespace
+{
+
+// Side of a tile in pixels. A tile is the unit of work of a thread.
+constexpr int TileSide = 32;
+/// Number of edges for which memory is reserved for each outline in a tile.
+constexpr std::size_t EdgesPerOutline = 80;
+// Side of the tiles in pixels whose RMSE the tolerance bounds.
+constexpr int ErrorTileSide = 16;
+
+/// Refines the sampled pixels of [low, high), which contains whole tiles of ErrorTileSide pixels. Returns
+/// the number of pixels in tiles whose refinement the limit of the integration ended.
+int RefineTiles(glm::ivec2 low, glm::ivec2 high, PixelIntegrator& integrator, ImageRegion& region)
+{
+  int unfinished = 0;
+  if (integrator.GetSampledPixels().empty())
+  {
+    return unfinished;
+  }
+  for (glm::ivec2 first = low; first.y < high.y; first = first.x + ErrorTileSide < high.x
+         ? first + glm::ivec2(ErrorTileSide, 0)
+         : glm::ivec2(low.x, first.y + ErrorTileSide))
+  {
+    const glm::ivec2 last = glm::min(first + ErrorTileSide, high);
+    std::vector<SampledPixel*> pixels;
+    double squares = 0.0;
+    for (int y = first.y; y < last.y; ++y)
+    {
+      for (int x = first.x; x < last.x; ++x)
+      {
+        const double error = region.Errors[region.Index(x, y)];
+        squares += error * error;
+      }
+    }
+    for (SampledPixel& pixel : integrator.GetSampledPixels())
+    {
+      if (pixel.X >= first.x && pixel.X < last.x && pixel.Y >= first.y && pixel.Y < last.y)
+      {
+        const double error = region.Errors[region.Index(pixel.X, pixel.Y)];
+        squares -= error * error;
+        region.RaysPerPixel[region.Index(pixel.X, pixel.Y)] -= static_cast<float>(pixel.Rays);
+        pixels.push_back(&pixel);
+      }
+    }
+    const int count = (last.x - first.x) * (last.y - first.y);
+    const bool finished = RefineTile(integrator, pixels, count, std::max(squares, 0.0));
+    unfinished += finished ? 0 : static_cast<int>(pixels.size());
+    for (const SampledPixel* pixel : pixels)
+    {
+      const std::size_t index = region.Index(pixel->X, pixel->Y);
+      StorePixel(pixel->Result, pixel->MediumError, index, region);
+      region.RaysPerPixel[index] += static_cast<float>(pixel->Rays);
+      pixel->GetNumberOfSamples() == 0 ? ++integrator.Pixels.Interior : ++integrator.Pixels.Uniform;
+    }
+  }
+  return unfinished;
+}
+
+/// Returns a flag for each tile: the samples of its pixels may be rasterized.
+std::vector<char> SelectRasterizedTiles(
+  const Scene& scene, const IntegrationSettings& integration, const EdgeBins& tileEdges)
+{
+  std::vector<char> selected(tileEdges.Begin.size() - 1, 0);
+  if (integration.Rasterize && !integration.Shadows &&
+    integration.Method == IntegrationSettings::Methods::Silhouettes &&
+    !TileRasterizer::RequiresRays(scene))
+  {
+    const auto any = [&](const auto& test) {
+      return std::any_of(scene.Surfaces.begin(), scene.Surfaces.end(), test);
+    };
+    const bool hasLines = any([](const Surface& surface) { return surface.IsLineOrPoint; }) &&
+      any([](const Surface& surface) { return surface.IsTranslucent(); });
+    const bool hasTextures =
+      any([](const Surface& surface) { return surface.LitTexture != nullptr; });
+    const std::size_t minimum = hasTextures ? 0
+      : hasLines                            ? MinimumLayeredEdges
+                                            : MinimumEdgesOfRasterizedTile;
+    for (std::size_t tile = 0; tile < selected.size(); ++tile)
+    {
+      selected[tile] = tileEdges.Begin[tile + 1] - tileEdges.Begin[tile] >= minimum;
+    }
+  }
+  return selected;
+}
+
+}
+
+void StorePixel(
+  const PixelResult& result, float mediumError, std::size_t index, ImageRegion& region)
+{
+  const float alpha = result.Color.a;
+  region.Colors[index] =
+    alpha > 0.f ? glm::vec4(glm::vec3(result.Color) / alpha, alpha) : glm::vec4(0.f);
+  region.Errors[index] = std::hypot(result.Error, mediumError);
+  if (!region.LightErrors.empty())
+  {
+    region.LightErrors[index] = std::hypot(result.LightError, mediumError);
+  }
+}
+
+RegionTiles::RegionTiles(const CameraRayTracer& tracer, const CornerGrid& grid,
+  const SceneEdges& sceneEdges, const RenderSettings& settings, const ImageRegion& region,
+  const ProgressCallback& progress, double fraction)
+  : Tracer(tracer),
+    Grid(grid),
+    MeshEdges(sceneEdges),
+    Settings(settings),
+    Low(region.Low),
+    High(region.High),
+    First(region.Low / TileSide),
+    Count((region.High + TileSide - 1) / TileSide - region.Low / TileSide),
+    Cells{ glm::dvec2(this->First * TileSide), TileSide, this->Count },
+    Instances(
+      tracer.GetScene(), sceneEdges.EdgesBySurface, this->Cells.Origin, TileSide, this->Count),
+    Outlines(tracer.GetScene(), this->Cells.Origin, TileSide,
+      sceneEdges.EdgesBySurface.empty() ? glm::ivec2(0) : this->Count)
+{
+  const Scene& scene = tracer.GetScene();
+  const glm::dvec2 low(region.Low);
+  const glm::dvec2 high(region.High);
+  for (std::size_t i = 0; i < sceneEdges.EdgesBySurface.size(); ++i)
+  {
+    ThrowIfStopped(progress, fraction);
+    if (!scene.Surfaces[i].Instances)
+    {
+      ProjectEdges(
+        scene.Surfaces[i], sceneEdges.EdgesBySurface[i], scene.ViewCamera, low, high, this->Edges);
+    }
+  }
+  this->Instances.ProjectLarge(low, high, this->Edges);
+  BinEdges(this->Edges, nullptr, this->Edges.size(), this->Cells.Origin, TileSide, this->Count,
+    this->Bins);
+  this->Triangles.emplace(
+    scene, this->Cells, SelectRasterizedTiles(scene, settings.Integration, this->Bins));
+}
+
+glm::ivec2 RegionTiles::GetOrigin(int tile) const
+{
+  return (this->First + glm::ivec2(tile % this->Count.x, tile / this->Count.x)) * TileSide;
+}
+
+RegionTiles::Rectangle RegionTiles::GetPixels(int tile) const
+{
+  const glm::ivec2 origin = this->GetOrigin(tile);
+  return { glm::max(origin, this->Low), glm::min(origin + TileSide, this->High) };
+}
+
+int RegionTiles::Render(int tile, ImageRegion& region, Totals& totals) const
+{
+  const glm::ivec2 origin = this->GetOrigin(tile);
+  const std::uint32_t* const indices = this->Bins.Edges.data() + this->Bins.Begin[tile];
+  const std::size_t count = this->Bins.Begin[tile + 1] - this->Bins.Begin[tile];
+  const std::size_t shapes = this->Outlines.GetCount(tile) + this->Instances.GetCount(tile);
+  std::vector<ProjectedEdge> withOutlines;
+  if (shapes > 0 && shapes <= MaximumOutlinesInTile)
+  {
+    // Pages of memory are used only if they are written; growing would write twice as many.
+    withOutlines.reserve(count + shapes * EdgesPerOutline);
+    std::transform(indices, indices + count, std::back_inserter(withOutlines),
+      [&](std::uint32_t i) { return this->Edges[i]; });
+    this->Outlines.Project(tile, glm::dvec2(origin), glm::dvec2(origin + TileSide), withOutlines);
+    this->Instances.Project(tile, glm::dvec2(origin), glm::dvec2(origin + TileSide), withOutlines);
+  }
+  else if (shapes > 0)
+  {
+    // One edge outside of the tile, which stands for those that were left out.
+    withOutlines.push_back({ glm::dvec2(origin) - 16.0, glm::dvec2(origin) - 15.0, 1.0, 1.0 });
+  }
+  const TileEdges inTile{ shapes > 0 ? withOutlines : this->Edges, shapes > 0 ? nullptr : indices,
+    shapes > 0 ? withOutlines.size() : count, shapes > MaximumOutlinesInTile };
+  PixelIntegrator integrator(this->Tracer, this->Grid, inTile.All, this->MeshEdges.Dense,
+    this->MeshEdges.Unsteady, this->Settings.Integration);
+  TileRasterizer rasterizer(this->Tracer.GetRays(), this->Cells, *this->Triangles, tile);
+  const bool mayRasterize = this->Triangles->GetCount(tile) > 0 && shapes == 0;
+  const int unfinished = this->RenderPixels(this->GetPixels(tile), origin, inTile,
+    mayRasterize ? &rasterizer : nullptr, integrator, region);
+  totals.Edges += inTile.IsDense || shapes == 0 ? 0 : static_cast<long long>(inTile.Count - count);
+  totals.Rays += integrator.Rays;
+  totals.Pixels += integrator.Pixels;
+  return unfinished;
+}
+
+int RegionTiles::RenderPixels(const Rectangle& pixels, glm::ivec2 origin, const TileEdges& edges,
+  TileRasterizer* rasterizer, PixelIntegrator& integrator, ImageRegion& region) const
+{
+  const glm::ivec2 low = pixels.Low;
+  const glm::ivec2 high = pixels.High;
+  EdgeBins pixelEdges;
+  BinEdges(edges.All, edges.Indices, edges.Count, glm::dvec2(origin), 1.0, glm::ivec2(TileSide),
+    pixelEdges);
+  const std::size_t area = static_cast<std::size_t>(TileSide) * TileSide;
+  const bool crowded = pixelEdges.Edges.size() > CrowdedEdgesPerPixel * area;
+  integrator.SetRasterizer(rasterizer, pixelEdges.Edges.size() > RasterizedEdgesPerPixel * area);
+
+  // The integrator samples a pixel whose list of edges is longer than MaximumEdges.
+  const std::vector<std::uint32_t> tooMany(edges.IsDense ? MaximumEdges + 1 : 0, 0u);
+  integrator.BeginTile();
+  bool searchAll = false;
+  const PixelCounts initialCounts = integrator.Pixels;
+  int rendered = 0;
+  for (int y = low.y; y < high.y; ++y)
+  {
+    for (int x = low.x; x < high.x; ++x)
+    {
+      if (IsReached(this->Settings.Integration.Limit))
+      {
+        return pixels.GetArea() - rendered + RefineTiles(low, high, integrator, region);
+      }
+      const int cell = (y - origin.y) * TileSide + (x - origin.x);
+      const std::uint32_t* list =
+        edges.IsDense ? tooMany.data() : pixelEdges.Edges.data() + pixelEdges.Begin[cell];
+      const std::size_t size =
+        edges.IsDense ? tooMany.size() : pixelEdges.Begin[cell + 1] - pixelEdges.Begin[cell];
+      const std::size_t index = region.Index(x, y);
+      const long long before = integrator.Rays.GetImageRays();
+      const PixelResult result = integrator.Integrate(x, y, list, size, crowded);
+      StorePixel(result, integrator.GetMediumError(), index, region);
+      region.RaysPerPixel[index] += static_cast<float>(integrator.Rays.GetImageRays() - before);
+      rendered += searchAll ? 0 : 1;
+    }
+    // Triangles that intersect in one pixel also intersect in its neighbors. Render the tile again
+    // and search all pixels with edges for intersections.
+    if (y + 1 == high.y && !searchAll && integrator.HasFoundIntersection())
+    {
+      searchAll = true;
+      integrator.SearchAllPixelsForIntersections();
+      integrator.GetSampledPixels().clear();
+      integrator.Pixels = initialCounts;
+      y = low.y - 1;
+    }
+  }
+  return RefineTiles(low, high, integrator, region);
+}
+
+}
