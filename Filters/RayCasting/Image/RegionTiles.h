@@ -10,6 +10,8 @@
 #include "InstanceEdges.h"
 #include "Rasterization/TriangleBins.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
