@@ -146,9 +146,10 @@ inline const std::vector<Row> Table = {
     { "OpenGL", "GLM" } },
   { "Rendering/Irradiance",
     { "Filters/Conventions", "Filters/Scene", "Filters/Scene/Import", "Filters/RayTracing",
-      "Filters/Irradiance/Records", "Filters/Irradiance", "Rendering/ScreenSpace/Frame",
-      "Rendering/ScreenSpace/Chain", "Rendering/ScreenSpace", "Rendering/Irradiance/Traced",
-      "Rendering/Irradiance/Splats", "Rendering/Irradiance/CubeMap" },
+      "Filters/RayCasting", "Filters/Irradiance/Records", "Filters/Irradiance",
+      "Rendering/ScreenSpace/Frame", "Rendering/ScreenSpace/Chain", "Rendering/ScreenSpace",
+      "Rendering/Irradiance/Traced", "Rendering/Irradiance/Splats",
+      "Rendering/Irradiance/CubeMap" },
     { "OpenGL", "GLM" } },
 
   { "Rendering/ParaView",

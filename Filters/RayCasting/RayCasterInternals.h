@@ -32,12 +32,23 @@
 #include <string>
 #include <vector>
 
+namespace penumbra
+{
+struct ToleranceReport;
+}
+
 struct vtkPenumbraRayCaster::Internals
 {
+  Internals();
+  ~Internals();
+
   /// Maximum width and height of the image, in pixels.
   static constexpr int MaximumResolution = 65535;
   /// Default of LightTolerance as a multiple of Tolerance: 0.01 at 1/256.
   static constexpr double LightToleranceFactor = 2.56;
+  /// Tolerance of the light of one sample, in light tolerances of the image. The color of a pixel is
+  /// the mean of about four samples, which halves their error.
+  static constexpr double SampleToleranceFactor = 2.0;
 
   /// An extracted scene with its ray tracing structures.
   struct PreparedScene
@@ -46,6 +57,9 @@ struct vtkPenumbraRayCaster::Internals
     std::unique_ptr<penumbra::RayScene> Rays;
     penumbra::SceneEdges Edges;
   };
+
+  struct Execution;
+  struct GrowingState;
 
   /// Ambient occlusion that multiplies the colors.
   struct OcclusionSettings
@@ -84,19 +98,41 @@ struct vtkPenumbraRayCaster::Internals
   std::function<void(const penumbra::CameraRayTracer&, const penumbra::SceneEdges&)> InspectImage;
 
   std::chrono::steady_clock::time_point Start; ///< of the last execution
+  double CallSeconds = 0.0;                    ///< time that RenderFor() may take
+  std::unique_ptr<GrowingState> Growing;       ///< refers to Prepared; null: none
 
   OcclusionSettings FindOcclusion(vtkPenumbraRayCaster* self) const;
   void ResetResults();
   /// Marks the ray caster as modified by a setting that a kept scene does not depend on.
   void ModifyButKeepScene(vtkPenumbraRayCaster* self);
-  void Prepare(vtkPenumbraRayCaster* self, vtkInformationVector* inputs);
+  /// Prepares the scene of the renderer or, without one, of `data`.
+  void Prepare(vtkPenumbraRayCaster* self, const std::vector<vtkDataObject*>& data);
+  void DropScene();
+  /// Checks the settings and runs `work`, which returns false if it was stopped. Without an image,
+  /// `image` is empty. Returns false, with an error, if the image cannot be rendered.
+  bool Run(vtkPenumbraRayCaster* self, vtkImageData* image, const std::function<bool()>& work);
+  /// Modification time of the scene and of the objects that the image depends on, without the
+  /// settings of the ray caster.
+  vtkMTimeType ComputeSceneTime(vtkPenumbraRayCaster* self);
   bool KeepsScene(vtkPenumbraRayCaster* self) const;
   bool UpdatePrepared(vtkPenumbraRayCaster* self, const penumbra::ExtractionOptions& options);
   penumbra::ExtractionOptions MakeExtractionOptions(vtkPenumbraRayCaster* self);
   void WarnOfScene(vtkPenumbraRayCaster* self, penumbra::Scene& scene);
   /// Emits a warning, unless it is empty or was emitted before.
   void WarnOnce(vtkPenumbraRayCaster* self, const std::string& warning);
+  /// Reports progress unless an abort was requested. Returns true if the execution must stop.
+  static bool ReportProgress(vtkPenumbraRayCaster* self, double fraction);
+  static std::function<bool(double)> MakeProgress(
+    vtkPenumbraRayCaster* self, const Execution& execution);
   bool Execute(vtkPenumbraRayCaster* self, vtkImageData* image);
+  /// Continues the image of RenderFor(). Returns true if it is complete.
+  bool Continue(vtkPenumbraRayCaster* self, vtkImageData* image);
+  void BeginGrowing(vtkPenumbraRayCaster* self);
+  /// Returns null if an abort was requested.
+  std::unique_ptr<Execution> BeginExecution(vtkPenumbraRayCaster* self);
+  /// Adds what follows the rendering of an image. Returns false if an abort was requested.
+  bool FinishExecution(vtkPenumbraRayCaster* self, Execution& execution,
+    penumbra::ImageTotals& totals, vtkImageData* image);
   void AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image);
   void AddLayer(vtkPenumbraRayCaster* self, vtkRenderer* layer, bool isAbove, vtkImageData* image);
   double ComputeElapsedSeconds() const;
@@ -107,6 +143,8 @@ struct vtkPenumbraRayCaster::Internals
   bool JoinsPixels(vtkPenumbraRayCaster* self) const;
   bool BeginProvider(vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer);
   void Report(const penumbra::ImageTotals& totals, vtkIdType pixels);
+  void ReportLimit(
+    const penumbra::ImageTotals& totals, const penumbra::ToleranceReport& tolerances, bool isEnded);
   /// Adds the statistics, the tolerances and the estimated errors to the field data of the image.
   void AddFieldData(vtkPenumbraRayCaster* self, vtkImageData* image);
   penumbra::RenderSettings MakeSettings(vtkPenumbraRayCaster* self) const;

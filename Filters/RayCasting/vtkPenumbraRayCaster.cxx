@@ -26,19 +26,6 @@
 
 vtkStandardNewMacro(vtkPenumbraRayCaster);
 
-namespace
-{
-
-void RequireTimeLimit(double seconds)
-{
-  if (!(seconds >= 0.0))
-  {
-    throw std::runtime_error("TimeLimit must be a number of seconds of 0 or more; 0 is no limit.");
-  }
-}
-
-}
-
 vtkPenumbraRayCaster::vtkPenumbraRayCaster()
   : Implementation(new Internals)
 {
@@ -212,45 +199,8 @@ double vtkPenumbraRayCaster::GetPhaseSeconds(int phase)
 
 vtkMTimeType vtkPenumbraRayCaster::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
-  // A texture of the scene may depend on this image.
-  if (this->Implementation->IsComputingMTime)
-  {
-    return time;
-  }
-  if (this->Implementation->Renderer)
-  {
-    this->Implementation->IsComputingMTime = true;
-    time = std::max(time, penumbra::GetSceneMTime(this->Implementation->Renderer));
-    if (this->Layers)
-    {
-      for (const auto& find : { penumbra::FindLayersAbove, penumbra::FindLayersBelow })
-      {
-        for (vtkRenderer* layer : find(this->Implementation->Renderer))
-        {
-          time = std::max(time, penumbra::GetSceneMTime(layer));
-        }
-      }
-    }
-    this->Implementation->IsComputingMTime = false;
-    std::vector<double> offsets = penumbra::GetDepthOffsetSettings(this->Implementation->Renderer);
-    if (offsets != this->Implementation->DepthOffsets)
-    {
-      this->Implementation->DepthOffsets = std::move(offsets);
-      this->Modified();
-      time = std::max(time, this->Superclass::GetMTime());
-    }
-  }
-  time = std::max(time, this->Implementation->IrradianceProvider->GetMTime());
-  if (this->Implementation->Medium)
-  {
-    time = std::max(time, this->Implementation->Medium->GetMTime());
-  }
-  if (this->Implementation->Environment)
-  {
-    time = std::max(time, this->Implementation->Environment->GetMTime());
-  }
-  return time;
+  const vtkMTimeType scene = this->Implementation->ComputeSceneTime(this);
+  return std::max(this->Superclass::GetMTime(), scene);
 }
 
 int vtkPenumbraRayCaster::FillInputPortInformation(int, vtkInformation* info)
@@ -297,75 +247,44 @@ int vtkPenumbraRayCaster::RequestData(
   int extent[6];
   info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   image->SetExtent(extent);
-  if (std::min(this->Resolution[0], this->Resolution[1]) < 1 ||
-    std::max(this->Resolution[0], this->Resolution[1]) > Internals::MaximumResolution)
+  std::vector<vtkDataObject*> data;
+  for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
   {
-    vtkErrorMacro("Resolution must be 1 x 1 to " << Internals::MaximumResolution << " x "
-                                                 << Internals::MaximumResolution << ".");
-    return 0;
+    data.push_back(vtkDataObject::GetData(inputs[0], i));
   }
-
   Internals& internals = *this->Implementation;
-  internals.ResetResults();
-  try
-  {
-    penumbra::RequireNotNaN("Tolerance, LightTolerance, PointRadius, LineRadius, "
-                            "AmbientOcclusionRadius, AmbientOcclusionStrength, Albedo "
-                            "and EnvironmentColor",
-      { this->Tolerance, this->LightTolerance, this->PointRadius, this->LineRadius,
-        this->AmbientOcclusionRadius, this->AmbientOcclusionStrength, this->Albedo,
-        this->EnvironmentColor[0], this->EnvironmentColor[1], this->EnvironmentColor[2] });
-    RequireTimeLimit(this->TimeLimit);
-    penumbra::RequireLightSize(this->LightRadius, this->LightAngle);
-    internals.SizedLights.Require();
-    bool finished = true;
-    std::exception_ptr thrown;
-    vtkSMPTools::LocalScope(vtkSMPTools::Config(this->NumberOfThreads), [&]() {
-      // LocalScope() does not restore the number of threads after an exception.
-      try
-      {
-        internals.Prepare(this, inputs[0]);
-        finished = internals.Execute(this, image);
-      }
-      catch (...)
-      {
-        thrown = std::current_exception();
-      }
-    });
-    if (thrown)
-    {
-      std::rethrow_exception(thrown);
-    }
-    if (!finished)
-    {
-      image->Initialize();
-    }
+  return internals.Run(this, image, [&]() {
+    internals.Prepare(this, data);
+    const bool finished = internals.Execute(this, image);
     const int* whole = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
-    if (!finished || (std::equal(extent, extent + 6, whole) && !internals.KeepsScene(this)))
+    if (finished && std::equal(extent, extent + 6, whole) && !internals.KeepsScene(this))
     {
-      internals.Prepared.reset();
+      internals.DropScene();
     }
-  }
-  catch (const penumbra::Stopped&)
+    return finished;
+  });
+}
+
+bool vtkPenumbraRayCaster::RenderFor(double seconds, vtkImageData* image)
+{
+  if (!image || !this->Implementation->Renderer || !(seconds > 0.0))
   {
-    image->Initialize();
-    internals.Prepared.reset();
+    vtkErrorMacro("RenderFor() needs an image, a renderer, and a positive number of seconds.");
+    return false;
   }
-  catch (const std::bad_alloc&)
+  Internals& internals = *this->Implementation;
+  if (this->AbortExecute)
   {
-    image->Initialize();
-    internals.Prepared.reset();
-    vtkErrorMacro("Out of memory. Reduce Resolution or simplify the scene.");
-    return 0;
+    this->SetAbortExecute(0);
   }
-  catch (const std::exception& error)
-  {
-    image->Initialize();
-    internals.Prepared.reset();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  internals.CallSeconds = seconds;
+  bool isComplete = false;
+  image->Initialize();
+  internals.Run(this, image, [&]() {
+    isComplete = internals.Continue(this, image);
+    return true;
+  });
+  return isComplete;
 }
 
 void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)

@@ -25,6 +25,7 @@
 #include <memory> // for std::unique_ptr
 
 class vtkFieldData;
+class vtkImageData;
 class vtkLight;
 class vtkPenumbraEnvironment;
 class vtkPenumbraIrradianceProvider;
@@ -385,6 +386,18 @@ public:
   vtkSetClampMacro(LineRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LineRadius, double);
   ///@}
+
+  /**
+   * Render the image of Renderer a little further, without the pipeline: for about `seconds` seconds,
+   * beginning with the time of the preparation of the scene. Stores all that is known of the image in
+   * `image`, with the arrays of the output, and updates the statistics and the estimated errors, in which
+   * `TimeLimit/Reached` is 1 until the image is complete. The next call continues; it starts again
+   * if the scene or a setting was modified in between. The complete image has the same bits as the
+   * output; GeometryArrays and Layers are added only to it. A tile of 32x32 pixels and what TimeLimit
+   * does not interrupt are not interrupted. TimeLimit has no effect. Returns true if the image is
+   * complete. If there is an error, `image` is empty.
+   */
+  bool RenderFor(double seconds, vtkImageData* image);
 
   /**
    * Counts of the last execution, one array with one value each: `Rays/Primary`, `Rays/Total`,

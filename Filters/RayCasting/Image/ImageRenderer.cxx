@@ -79,9 +79,22 @@ void CopyRows(ImageRegion& region, const Overlay& overlay, vtkImageData* image, 
 
 }
 
-bool RenderImage(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
-  const RenderSettings& settings, const ProgressCallback& progress, vtkImageData* image,
-  ImageTotals& totals)
+std::vector<RegionBounds> SplitIntoRegions(const int* extent, const Camera& camera)
+{
+  const int left = extent[0] / Alignment * Alignment;
+  const int right = std::min((extent[1] / Alignment + 1) * Alignment, camera.Width);
+  const int bottom = extent[2] / Alignment * Alignment;
+  const int top = std::min((extent[3] / Alignment + 1) * Alignment, camera.Height);
+  const int rows = std::max(PixelsPerRegion / std::max(right - left, 1) / Alignment, 1) * Alignment;
+  std::vector<RegionBounds> regions;
+  for (int low = bottom; low <= extent[3]; low += rows)
+  {
+    regions.push_back({ { left, low }, { right, std::min(low + rows, top) } });
+  }
+  return regions;
+}
+
+void AddImageArrays(const RenderSettings& settings, vtkImageData* image)
 {
   AddFloatArray(image, "Color", 4);
   AddFloatArray(image, "Rays", 1);
@@ -95,23 +108,34 @@ bool RenderImage(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
     AddFloatArray(image, "AmbientOcclusion", 1);
   }
   image->GetPointData()->SetActiveScalars("Color");
+}
 
+void StoreRegion(
+  ImageRegion& region, const Overlay& overlay, vtkImageData* image, ImageTotals& totals)
+{
+  CopyRows(region, overlay, image, totals);
+  totals.Rays += region.Rays;
+  totals.Pixels += region.Pixels;
+  totals.Unfinished += region.Unfinished;
+  totals.Edges = std::max(totals.Edges, region.Edges);
+}
+
+bool RenderImage(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
+  const RenderSettings& settings, const ProgressCallback& progress, vtkImageData* image,
+  ImageTotals& totals)
+{
+  AddImageArrays(settings, image);
   const Scene& scene = tracer.GetScene();
   int extent[6];
   image->GetExtent(extent);
   const int height = extent[3] - extent[2] + 1;
-  const int left = extent[0] / Alignment * Alignment;
-  const int right = std::min((extent[1] / Alignment + 1) * Alignment, scene.ViewCamera.Width);
-  const int bottom = extent[2] / Alignment * Alignment;
-  const int top = std::min((extent[3] / Alignment + 1) * Alignment, scene.ViewCamera.Height);
-  const int rows = std::max(PixelsPerRegion / std::max(right - left, 1) / Alignment, 1) * Alignment;
-  for (int low = bottom; low <= extent[3]; low += rows)
+  for (const RegionBounds& bounds : SplitIntoRegions(extent, scene.ViewCamera))
   {
     ImageRegion region;
-    region.Low = { left, low };
-    region.High = { right, std::min(low + rows, top) };
-    const double done = static_cast<double>(std::max(low, extent[2]) - extent[2]) / height;
-    const double fraction = static_cast<double>(region.High.y - low) / height;
+    region.Low = bounds.Low;
+    region.High = bounds.High;
+    const double done = static_cast<double>(std::max(bounds.Low.y, extent[2]) - extent[2]) / height;
+    const double fraction = static_cast<double>(bounds.High.y - bounds.Low.y) / height;
     const auto regionProgress = [&](double inRegion) {
       return progress(std::min(done + fraction * inRegion, 1.0));
     };
@@ -123,11 +147,7 @@ bool RenderImage(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
     {
       return false;
     }
-    CopyRows(region, scene.OverlayImage, image, totals);
-    totals.Rays += region.Rays;
-    totals.Pixels += region.Pixels;
-    totals.Unfinished += region.Unfinished;
-    totals.Edges = std::max(totals.Edges, region.Edges);
+    StoreRegion(region, scene.OverlayImage, image, totals);
   }
   return true;
 }

@@ -10,6 +10,7 @@
 #include "vtkType.h"
 
 #include <cmath>
+#include <vector>
 
 class vtkImageData;
 
@@ -32,6 +33,23 @@ struct ImageTotals
     return std::sqrt(this->SquaredLightError / pixels);
   }
 };
+
+/// The pixels [Low, High) of a region.
+struct RegionBounds
+{
+  glm::ivec2 Low, High;
+};
+
+/// Returns the regions that are rendered for the pixels of an extent, with whole tiles.
+std::vector<RegionBounds> SplitIntoRegions(const int* extent, const Camera& camera);
+
+/// Adds the arrays of RenderImage() to `image`, with undefined values.
+void AddImageArrays(const RenderSettings& settings, vtkImageData* image);
+
+/// Stores the pixels of `region` that lie in `image`, with `overlay` composited over them, and adds
+/// their errors and the counts of the region to `totals`.
+void StoreRegion(
+  ImageRegion& region, const Overlay& overlay, vtkImageData* image, ImageTotals& totals);
 
 /**
  * Adds the arrays `Color`, `Rays` and `EstimatedError` to `image`, whose extent is set, with light

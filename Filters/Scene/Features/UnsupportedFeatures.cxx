@@ -119,7 +119,8 @@ void WarnUnsupportedRenderer(vtkRenderer* renderer, std::vector<std::string>& wa
       WarnFeature(feature, "", warnings);
     }
   };
-  warn(renderer->GetPass() != nullptr, Feature::RenderPass);
+  vtkRenderPass* const pass = renderer->GetPass();
+  warn(pass && !pass->IsA("vtkPenumbraRayCastPass"), Feature::RenderPass);
 }
 
 }

@@ -7,6 +7,7 @@
 #ifndef penumbra_StaticViewRefiner_h
 #define penumbra_StaticViewRefiner_h
 
+#include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
 #include "vtkWeakPointer.h"
 
 #include <set>
@@ -23,7 +24,7 @@ namespace penumbra
 /// at least one frame per second, as interactor styles set it during interaction.
 bool IsInteractive(vtkRenderWindow* window);
 
-class StaticViewRefiner
+class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT StaticViewRefiner
 {
 public:
   StaticViewRefiner() = default;

@@ -1,0 +1,406 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RayCasterExecution.h"
+
+#include "Conventions/Statistics.h"
+#include "Image/GeometryArrays.h"
+#include "Image/LayerCompositing.h"
+#include "Light/OcclusionRays.h"
+#include "Media/MediumExtraction.h"
+#include "PhaseTimer.h"
+#include "SceneBounds.h"
+#include "Shading/Illumination.h"
+#include "Shading/LightWarnings.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace
+{
+
+// Progress reported when the scene has been built. It stays 0 until then.
+constexpr double SceneProgress = 1e-6;
+// Fraction of the progress for the preparation of the irradiance provider.
+constexpr double ProviderProgress = 0.25;
+// Fraction of the progress for the geometry arrays.
+constexpr double GeometryProgress = 0.25;
+
+// A time limit that is reached at once, in seconds.
+constexpr double LeastSeconds = 1e-9;
+
+using penumbra::AddStatistic;
+
+/// Adds the rays of a layer to the statistics of the image.
+void AddLayerRays(vtkFieldData* layer, vtkFieldData* statistics)
+{
+  vtkDataArray* rays = layer->GetArray("Rays/Total");
+  if (!rays)
+  {
+    return;
+  }
+  vtkDataArray* sum = statistics->GetArray("Rays/Layers");
+  const double count = rays->GetComponent(0, 0);
+  if (sum)
+  {
+    sum->SetComponent(0, 0, sum->GetComponent(0, 0) + count);
+  }
+  else
+  {
+    AddStatistic(statistics, "Rays/Layers", count);
+  }
+  vtkDataArray* total = statistics->GetArray("Rays/Total");
+  total->SetComponent(0, 0, total->GetComponent(0, 0) + count);
+}
+
+}
+
+bool vtkPenumbraRayCaster::Internals::BeginProvider(
+  vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer)
+{
+  const double noise = SampleToleranceFactor * self->GetEffectiveLightTolerance();
+  const OcclusionSettings settings = this->FindOcclusion(self);
+  const bool occlusion = settings.On || (self->GeometryArrays && self->OcclusionArray);
+  const double phaseFraction = occlusion && self->IndirectLight ? 0.5 : 1.0;
+  double done = 0.0;
+  const auto progress = [&](double fraction) {
+    return ReportProgress(self, ProviderProgress * (done + phaseFraction * fraction));
+  };
+  if (occlusion)
+  {
+    if (!this->IrradianceProvider->Begin(*this->Prepared->Rays,
+          { this->FindOcclusionRadius(self), self->AmbientOcclusionFalloff }, noise, progress))
+    {
+      return false;
+    }
+    done = phaseFraction;
+  }
+  if (settings.On && !this->JoinsPixels(self))
+  {
+    tracer.SetOcclusion(this->IrradianceProvider, settings.Strength, noise);
+  }
+  if (self->IndirectLight && self->Albedo > 0.0)
+  {
+    const double* color = self->EnvironmentColor;
+    penumbra::IlluminationSettings light;
+    light.Environment = glm::max(glm::dvec3(color[0], color[1], color[2]), glm::dvec3(0.0));
+    light.Map = this->Environment ? this->Environment->GetMap() : nullptr;
+    light.Albedo = static_cast<float>(self->Albedo);
+    light.Bounces = self->Bounces;
+    light.Shadows = self->GetShadows();
+    const penumbra::Illumination illumination(*this->Prepared->Rays, light);
+    this->WarnOnce(self,
+      penumbra::DescribeMissingLight(*this->Prepared->Rays, self->GetShadows(), &illumination));
+    // The image contains Albedo / pi of the irradiance.
+    const double tolerance = noise * vtkMath::Pi() / self->Albedo;
+    tracer.SetIndirectLight(this->IrradianceProvider, light.Albedo, tolerance);
+    return this->IrradianceProvider->BeginIrradiance(illumination, tolerance, progress);
+  }
+  return true;
+}
+
+std::unique_ptr<vtkPenumbraRayCaster::Internals::Execution>
+vtkPenumbraRayCaster::Internals::BeginExecution(vtkPenumbraRayCaster* self)
+{
+  const penumbra::Scene& scene = this->Prepared->SceneData;
+  if (ReportProgress(self, SceneProgress))
+  {
+    return nullptr;
+  }
+  auto execution = std::make_unique<Execution>(*this->Prepared, self->GetShadows());
+  penumbra::Shading& shading = execution->Lit;
+  penumbra::CameraRayTracer& tracer = execution->Tracer;
+  const double lightTolerance = self->GetEffectiveLightTolerance();
+  tracer.SetPenumbraTolerance(SampleToleranceFactor * lightTolerance);
+  penumbra::RenderSettings& settings = execution->Settings;
+  settings = MakeSettings(self);
+  execution->Joins = this->JoinsPixels(self);
+  tracer.SetOcclusionStrength(this->FindOcclusion(self).Strength);
+  execution->UsesProvider = self->GetAmbientOcclusion() || self->IndirectLight ||
+    (self->GeometryArrays && self->OcclusionArray);
+  if (execution->UsesProvider && !this->BeginProvider(self, tracer))
+  {
+    return nullptr;
+  }
+  if (self->GetShadows() && !self->IndirectLight)
+  {
+    this->WarnOnce(self, penumbra::DescribeMissingLight(*this->Prepared->Rays, true, nullptr));
+  }
+
+  std::string warning;
+  std::optional<penumbra::LightShafts> made = penumbra::MakeLightShafts(this->Medium, shading,
+    penumbra::ComputeSceneDiagonal(scene), { lightTolerance, self->LightShaftSteps }, warning);
+  std::optional<penumbra::LightShafts>& shafts = execution->Shafts;
+  if (made)
+  {
+    shafts.emplace(*std::move(made));
+  }
+  tracer.SetShafts(shafts ? &*shafts : nullptr);
+  if (shafts || shading.HasPenumbrae())
+  {
+    settings.Integration.LightTolerance = lightTolerance;
+  }
+  if (execution->Joins)
+  {
+    settings.Occlusion = std::make_shared<penumbra::OcclusionRays>(*this->Prepared->Rays,
+      penumbra::DistanceFalloff::InScene(
+        this->FindOcclusionRadius(self), self->AmbientOcclusionFalloff, scene.Scale),
+      lightTolerance);
+    settings.OcclusionTolerance = lightTolerance;
+    settings.KeepsOcclusion = self->GeometryArrays && self->OcclusionArray;
+  }
+  penumbra::IntegrationSettings& limits = execution->Limits;
+  limits = settings.Integration;
+  limits.LightTolerance = settings.HasLightErrors() ? lightTolerance : 0.0;
+  this->TileTolerance = limits.GetTileTolerance();
+  if (shafts && shafts->GetMedium().AttenuatesSurfaceLight)
+  {
+    shading.SetAttenuation(&shafts->GetMedium());
+  }
+  if (!warning.empty())
+  {
+    vtkWarningWithObjectMacro(self, << warning);
+  }
+  return execution;
+}
+
+std::function<bool(double)> vtkPenumbraRayCaster::Internals::MakeProgress(
+  vtkPenumbraRayCaster* self, const Execution& execution)
+{
+  const double from = execution.UsesProvider ? ProviderProgress : 0.0;
+  const double to = self->GeometryArrays ? 1.0 - GeometryProgress : 1.0;
+  return [self, from, to](double done) { return ReportProgress(self, from + (to - from) * done); };
+}
+
+bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkImageData* image)
+{
+  penumbra::PhaseTimer timer(this->PhaseSeconds);
+  const std::unique_ptr<Execution> execution = this->BeginExecution(self);
+  if (!execution)
+  {
+    return false;
+  }
+  execution->Limit = this->MakeLimit(self);
+  execution->Settings.Limit = execution->Limit.get();
+  execution->Settings.Integration.Limit = execution->Limit.get();
+  penumbra::ImageTotals totals;
+  if (!penumbra::RenderImage(execution->Tracer, this->Prepared->Edges, execution->Settings,
+        this->MakeProgress(self, *execution), image, totals) ||
+    !this->FinishExecution(self, *execution, totals, image))
+  {
+    return false;
+  }
+  timer.End(TRACING);
+  return true;
+}
+
+bool vtkPenumbraRayCaster::Internals::FinishExecution(vtkPenumbraRayCaster* self,
+  Execution& execution, penumbra::ImageTotals& totals, vtkImageData* image)
+{
+  penumbra::CameraRayTracer& tracer = execution.Tracer;
+  const double lightTolerance = self->GetEffectiveLightTolerance();
+  if (this->InspectImage)
+  {
+    if (execution.Joins)
+    {
+      tracer.SetOcclusion(this->IrradianceProvider, this->FindOcclusion(self).Strength,
+        SampleToleranceFactor * lightTolerance);
+    }
+    this->InspectImage(tracer, this->Prepared->Edges);
+  }
+  const bool isEnded = execution.IsEnded();
+  const penumbra::ToleranceReport tolerances =
+    penumbra::CheckTolerance(execution.Limits, totals, isEnded ? self->TimeLimit : 0.0, image);
+  if (!tolerances.Warning.empty())
+  {
+    vtkWarningWithObjectMacro(self, << tolerances.Warning);
+  }
+  if (self->GeometryArrays)
+  {
+    tracer.SetOcclusion(
+      self->OcclusionArray && !execution.Joins ? this->IrradianceProvider.Get() : nullptr,
+      self->AmbientOcclusionStrength, SampleToleranceFactor * lightTolerance);
+    const auto geometry = [self](double done) {
+      return ReportProgress(self, 1.0 - GeometryProgress + GeometryProgress * done);
+    };
+    if (!penumbra::AddGeometryArrays(tracer, geometry, image, totals.Rays))
+    {
+      return false;
+    }
+  }
+  this->Report(totals, image->GetNumberOfPoints());
+  this->ReportLimit(totals, tolerances, isEnded);
+  if (self->Layers)
+  {
+    this->AddLayers(self, image);
+  }
+  if (execution.UsesProvider)
+  {
+    this->IrradianceProvider->Report(this->Statistics);
+    vtkDataArray* gathered = this->Statistics->GetArray("Rays/Gather");
+    if (gathered)
+    {
+      vtkDataArray* total = this->Statistics->GetArray("Rays/Total");
+      total->SetComponent(0, 0, total->GetComponent(0, 0) + gathered->GetComponent(0, 0));
+    }
+  }
+  this->AddFieldData(self, image);
+  return true;
+}
+
+void vtkPenumbraRayCaster::Internals::BeginGrowing(vtkPenumbraRayCaster* self)
+{
+  this->Growing.reset();
+  this->Prepare(self, {});
+  auto growing = std::make_unique<GrowingState>();
+  growing->Job = this->BeginExecution(self);
+  if (!growing->Job)
+  {
+    throw penumbra::Stopped();
+  }
+  Execution& job = *growing->Job;
+  job.Limit = std::make_unique<penumbra::WorkLimit>(
+    [this](double) { return this->ComputeElapsedSeconds() >= this->CallSeconds; });
+  job.Settings.Limit = job.Limit.get();
+  growing->Image =
+    std::make_unique<penumbra::GrowingImage>(job.Tracer, this->Prepared->Edges, job.Settings);
+  growing->SceneTime = this->ComputeSceneTime(self);
+  this->Growing = std::move(growing);
+}
+
+bool vtkPenumbraRayCaster::Internals::Continue(vtkPenumbraRayCaster* self, vtkImageData* image)
+{
+  if (!this->Growing || this->SettingsTime != self->vtkAlgorithm::GetMTime() ||
+    this->PreparedRenderer.Get() != this->Renderer.Get() ||
+    this->Growing->SceneTime != this->ComputeSceneTime(self))
+  {
+    this->BeginGrowing(self);
+  }
+  GrowingState& growing = *this->Growing;
+  if (growing.Final)
+  {
+    image->ShallowCopy(growing.Final);
+    return true;
+  }
+  penumbra::PhaseTimer timer(this->PhaseSeconds);
+  Execution& job = *growing.Job;
+  job.Limit->BeginPart(1.0);
+  const bool isComplete = growing.Image->Run(this->MakeProgress(self, job));
+  image->SetDimensions(self->Resolution[0], self->Resolution[1], 1);
+  penumbra::ImageTotals totals;
+  growing.Image->Store(image, totals);
+  if (!isComplete)
+  {
+    this->Report(totals, image->GetNumberOfPoints());
+    this->ReportLimit(totals, penumbra::CheckTolerance(job.Limits, totals, 0.0, image), true);
+    this->AddFieldData(self, image);
+    timer.End(TRACING);
+    return false;
+  }
+  growing.Image.reset();
+  job.Limit.reset();
+  if (!this->FinishExecution(self, job, totals, image))
+  {
+    throw penumbra::Stopped();
+  }
+  timer.End(TRACING);
+  growing.Final = vtkSmartPointer<vtkImageData>::New();
+  growing.Final->ShallowCopy(image);
+  return true;
+}
+
+void vtkPenumbraRayCaster::Internals::AddLayer(
+  vtkPenumbraRayCaster* self, vtkRenderer* layer, bool isAbove, vtkImageData* image)
+{
+  const penumbra::LayerRectangle part =
+    penumbra::FindLayerRectangle(this->Renderer, layer, self->Resolution);
+  if (std::min(part.Size[0], part.Size[1]) < 1 ||
+    std::max(part.Size[0], part.Size[1]) > MaximumResolution)
+  {
+    return;
+  }
+  vtkNew<vtkPenumbraRayCaster> caster;
+  caster->SetRenderer(layer);
+  caster->SetLayers(false);
+  caster->SetResolution(part.Size[0], part.Size[1]);
+  caster->SetTolerance(self->Tolerance);
+  caster->SetLightTolerance(self->LightTolerance);
+  caster->SetCoverageMethod(self->CoverageMethod);
+  caster->SetUniformSamples(self->UniformSamples);
+  caster->SetMaximumLevel(self->MaximumLevel);
+  caster->SetFindSmallObjects(self->FindSmallObjects);
+  caster->SetUsePackets(self->UsePackets);
+  caster->SetNumberOfThreads(self->NumberOfThreads);
+  caster->SetDPI(self->DPI);
+  if (self->TimeLimit > 0.0)
+  {
+    caster->SetTimeLimit(std::max(self->TimeLimit - this->ComputeElapsedSeconds(), LeastSeconds));
+  }
+  caster->SetBackground(!isAbove && self->Background && !layer->GetPreserveColorBuffer());
+  caster->Update();
+  penumbra::CompositeLayer(caster->GetOutput(), part.Low, isAbove, image);
+  AddLayerRays(caster->GetStatistics(), this->Statistics);
+}
+
+void vtkPenumbraRayCaster::Internals::AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image)
+{
+  for (vtkRenderer* layer : penumbra::FindLayersBelow(this->Renderer))
+  {
+    this->AddLayer(self, layer, false, image);
+  }
+  for (vtkRenderer* layer : penumbra::FindLayersAbove(this->Renderer))
+  {
+    this->AddLayer(self, layer, true, image);
+  }
+}
+
+void vtkPenumbraRayCaster::Internals::ReportLimit(
+  const penumbra::ImageTotals& totals, const penumbra::ToleranceReport& tolerances, bool isEnded)
+{
+  AddStatistic(this->Statistics, "Pixels/Unfinished", totals.Unfinished);
+  AddStatistic(this->Statistics, "Tiles/AboveTolerance", tolerances.TilesAboveTolerance);
+  AddStatistic(this->Statistics, "TimeLimit/Reached", isEnded ? 1 : 0);
+}
+
+void vtkPenumbraRayCaster::Internals::Report(const penumbra::ImageTotals& totals, vtkIdType pixels)
+{
+  const penumbra::RayCounts& rays = totals.Rays;
+  vtkFieldData* s = this->Statistics;
+  s->Initialize();
+  AddStatistic(s, "Rays/Primary", rays.Primary);
+  AddStatistic(s, "Rays/Refinement", rays.Refinement);
+  AddStatistic(s, "Rays/Shadow", rays.Shadow);
+  AddStatistic(s, "Rays/Shaft", rays.Shaft);
+  AddStatistic(s, "Rays/Occlusion", rays.Occlusion);
+  AddStatistic(s, "Rays/Indirect", rays.Indirect);
+  AddStatistic(s, "Rays/Auxiliary", rays.Auxiliary);
+  AddStatistic(s, "Rays/Total",
+    rays.Primary + rays.Refinement + rays.Shadow + rays.Shaft + rays.Occlusion + rays.Indirect +
+      rays.Auxiliary);
+  AddStatistic(s, "Samples/Rasterized", rays.Rasterized);
+  AddStatistic(s, "Rays/PerPixel", static_cast<double>(rays.GetImageRays()) / pixels);
+  AddStatistic(s, "Pixels/Total", pixels);
+  AddStatistic(s, "Pixels/Empty", totals.Pixels.Empty);
+  AddStatistic(s, "Pixels/Interior", totals.Pixels.Interior);
+  AddStatistic(s, "Pixels/Edge", totals.Pixels.Edge);
+  AddStatistic(s, "Pixels/SmallObject", totals.Pixels.SmallObject);
+  AddStatistic(s, "Pixels/Refined", totals.Pixels.Refined);
+  AddStatistic(s, "Pixels/Uniform", totals.Pixels.Uniform);
+  AddStatistic(s, "Edges/Projected", totals.Edges);
+  AddStatistic(s, "Scene/Extractions", this->Extractions);
+  this->EstimatedError = totals.ComputeError(pixels);
+  this->EstimatedLightError = totals.ComputeLightError(pixels);
+}
+
+void vtkPenumbraRayCaster::Internals::AddFieldData(vtkPenumbraRayCaster* self, vtkImageData* image)
+{
+  vtkFieldData* fields = image->GetFieldData();
+  fields->ShallowCopy(this->Statistics);
+  AddStatistic(fields, "Tolerance", self->Tolerance);
+  AddStatistic(fields, "LightTolerance", self->GetEffectiveLightTolerance());
+  AddStatistic(fields, "EstimatedError", this->EstimatedError);
+  AddStatistic(fields, "EstimatedLightError", this->EstimatedLightError);
+}
