@@ -177,6 +177,7 @@ std::function<bool(double)> vtkPenumbraRayCaster::Internals::MakeProgress(
 
 bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkImageData* image)
 {
+  this->UpdateEdges(self, [self](double) { return ReportProgress(self, 0.0); });
   penumbra::PhaseTimer timer(this->PhaseSeconds);
   const std::unique_ptr<Execution> execution = this->BeginExecution(self);
   if (!execution)
@@ -265,6 +266,7 @@ void vtkPenumbraRayCaster::Internals::BeginGrowing(vtkPenumbraRayCaster* self)
   job.Limit = std::make_unique<penumbra::WorkLimit>(
     [this](double) { return this->ComputeElapsedSeconds() >= this->CallSeconds; });
   job.Settings.Limit = job.Limit.get();
+  job.Settings.UpdateEdges = [this, self]() { this->UpdateEdges(self, {}); }; // not for a preview
   growing->Image =
     std::make_unique<penumbra::GrowingImage>(job.Tracer, this->Prepared->Edges, job.Settings);
   growing->SceneTime = this->ComputeSceneTime(self);

@@ -126,6 +126,7 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   prepared->Edges = penumbra::FindSceneEdges(scene, MakeSettings(self), options.Progress);
   timer.End(EDGES);
   this->Prepared = std::move(prepared);
+  this->AreEdgesCurrent = true;
   this->PreparedTime = computeTime(); // extraction may have updated the mappers
   this->PreparedRenderer = this->Renderer;
   this->SettingsTime = self->vtkAlgorithm::GetMTime();
@@ -161,10 +162,21 @@ bool vtkPenumbraRayCaster::Internals::UpdatePrepared(
   this->Prepared->Rays->RenewId();
   this->WarnOfScene(self, this->Prepared->SceneData);
   timer.End(EXTRACTION);
-  penumbra::UpdateSceneEdges(
-    this->Prepared->SceneData, MakeSettings(self), options.Progress, this->Prepared->Edges);
-  timer.End(EDGES);
+  this->AreEdgesCurrent = false;
   return true;
+}
+
+void vtkPenumbraRayCaster::Internals::UpdateEdges(
+  vtkPenumbraRayCaster* self, const penumbra::ProgressCallback& progress)
+{
+  if (!this->AreEdgesCurrent)
+  {
+    penumbra::PhaseTimer timer(this->PhaseSeconds);
+    penumbra::UpdateSceneEdges(
+      this->Prepared->SceneData, MakeSettings(self), progress, this->Prepared->Edges);
+    timer.End(EDGES);
+    this->AreEdgesCurrent = true;
+  }
 }
 
 penumbra::ExtractionOptions vtkPenumbraRayCaster::Internals::MakeExtractionOptions(

@@ -83,6 +83,7 @@ struct vtkPenumbraRayCaster::Internals
   double EstimatedLightError = std::nan("");
   double TileTolerance = 0.0;              ///< accepted error of a tile of the current image
   std::unique_ptr<PreparedScene> Prepared; ///< kept while an update requests only part of the image
+  bool AreEdgesCurrent = true;             ///< the edges of Prepared belong to its camera
   vtkMTimeType PreparedTime = 0;
   vtkWeakPointer<vtkRenderer> PreparedRenderer; ///< renderer of Prepared; null: data sets
   vtkMTimeType SettingsTime = 0;                ///< of the ray caster's own settings, for Prepared
@@ -116,6 +117,8 @@ struct vtkPenumbraRayCaster::Internals
   vtkMTimeType ComputeSceneTime(vtkPenumbraRayCaster* self);
   bool KeepsScene(vtkPenumbraRayCaster* self) const;
   bool UpdatePrepared(vtkPenumbraRayCaster* self, const penumbra::ExtractionOptions& options);
+  /// Finds the edges that depend on the camera, unless they are current.
+  void UpdateEdges(vtkPenumbraRayCaster* self, const penumbra::ProgressCallback& progress);
   penumbra::ExtractionOptions MakeExtractionOptions(vtkPenumbraRayCaster* self);
   void WarnOfScene(vtkPenumbraRayCaster* self, penumbra::Scene& scene);
   /// Emits a warning, unless it is empty or was emitted before.

@@ -23,7 +23,6 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -64,7 +63,7 @@ void vtkPenumbraRayCastPass::Internals::ConvertColors()
   const float* values = colors->GetPointer(0);
   std::transform(values, values + this->Bytes.size(), this->Bytes.begin(), [](float value) {
     return static_cast<unsigned char>(
-      std::lround(255.0 * std::clamp(static_cast<double>(value), 0.0, 1.0)));
+      255.0 * std::clamp(static_cast<double>(value), 0.0, 1.0) + 0.5);
   });
 }
 

@@ -11,6 +11,7 @@
 #include "Light/OcclusionRays.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -27,6 +28,9 @@ struct RenderSettings
   bool KeepsOcclusion = false; ///< if on, the region stores the mean occlusion of each pixel
   bool UsePackets = true;      ///< If on, trace corner rays in packets of 16.
   WorkLimit* Limit = nullptr;  ///< ends the work on a region early; null: none
+
+  /// Called before the edges of the scene are used, unless it is empty.
+  std::function<void()> UpdateEdges;
 
   /// Returns true if light effects add an error of their own.
   bool HasLightErrors() const { return this->Integration.LightTolerance > 0.0 || this->Occlusion; }

@@ -159,6 +159,10 @@ bool RegionRenderer::ResolvePenumbrae(const ProgressCallback& progress)
 // With a limit, the tiles with the largest errors come first.
 void RegionRenderer::BeginTiles(const ProgressCallback& progress)
 {
+  if (this->Settings.UpdateEdges)
+  {
+    this->Settings.UpdateEdges();
+  }
   this->Tiles = std::make_unique<RegionTiles>(this->Tracer, this->Grid, this->Edges, this->Settings,
     this->Region, progress, this->Ends.Sites);
   const int count = this->Tiles->GetCount();
