@@ -4,6 +4,8 @@
 
 #include "Embree/RayScene.h"
 #include "Import/SceneExtraction.h"
+#include "Sampling/EdgeBlending.h"
+#include "Sampling/LayerOrder.h"
 #include "Scene.h"
 #include "Shading/Shading.h"
 #include "Surface.h"
@@ -19,23 +21,33 @@ namespace
 
 constexpr int PacketSize = 16;
 
-/// Composites all layers behind a first hit, premultiplied by alpha.
-glm::dvec4 ComputeColor(
-  const RayScene& rays, const Shading& shading, glm::dvec2 p, Ray ray, Hit hit)
+/// Composites all layers behind a first hit as VTK does: edges and their faces are one layer, and
+/// actors with ForceOpaque and surfaces that hide lines are drawn in their order. Returns the color
+/// premultiplied by alpha. `kinds`: see LayerOrder.
+glm::dvec4 ComputeColor(const RayScene& rays, const Shading& shading,
+  const std::vector<LayerOrder::Kinds>& kinds, glm::dvec2 p, const Ray& ray, Hit hit)
 {
   glm::dvec4 color(0.0);
   long long shadowRays = 0;
+  LayerOrder order;
+  EdgeBlending edges(rays.GetScene().ViewCamera);
+  Ray rest = ray;
   while (hit.IsHit() && color.a < 1.0)
   {
-    const glm::dvec4 c(shading.Shade(ray, hit, shadowRays).Color);
-    const double weight = (1.0 - color.a) * c.a;
-    color += weight * glm::dvec4(glm::dvec3(c), 1.0);
-    if (c.a >= 1.0)
+    if (kinds.empty() || order.IsDrawn(kinds[hit.Surface], hit))
     {
-      return color;
+      const Surface& surface = rays.GetScene().Surfaces[hit.Surface];
+      const ShadedHit shaded = shading.Shade(ray, hit, shadowRays);
+      const double opacity = edges.FindOpacity(surface, ray, hit, shaded);
+      const double weight = (1.0 - color.a) * opacity;
+      color += weight * glm::dvec4(glm::dvec3(shaded.Color), surface.IsAdditive ? 0.0 : 1.0);
+      if (opacity >= 1.0 && !surface.IsAdditive)
+      {
+        return color;
+      }
     }
-    ray.Near = hit.NextNear;
-    hit = rays.Intersect(ray);
+    rest = ContinueBehind(rest, hit);
+    hit = rays.Intersect(rest);
   }
   const glm::dvec4 c(shading.Background(p));
   return color + (1.0 - color.a) * c.a * glm::dvec4(glm::dvec3(c), 1.0);
@@ -52,6 +64,7 @@ StratifiedReference DrawStratified(
   const Scene scene = ExtractScene(renderer, options);
   const RayScene rays(scene, 0);
   const Shading shading(rays, shadows);
+  const std::vector<LayerOrder::Kinds> kinds = LayerOrder::FindKinds(scene);
   const Camera& camera = scene.ViewCamera;
   const auto near = static_cast<float>(std::max(camera.Near - camera.DepthOfRayOrigins(), 0.0));
   StratifiedReference reference;
@@ -82,7 +95,7 @@ StratifiedReference DrawStratified(
           rays.Intersect16(packet, hits);
           for (int i = 0; i < std::min(PacketSize, side * side - first); ++i)
           {
-            mean += glm::dvec3(ComputeColor(rays, shading, points[i], packet[i], hits[i]));
+            mean += glm::dvec3(ComputeColor(rays, shading, kinds, points[i], packet[i], hits[i]));
           }
         }
         mean /= side * side;

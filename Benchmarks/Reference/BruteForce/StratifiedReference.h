@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reference images by jittered samples. They share intersection and shading with the ray caster,
-// but neither edges, coverage, sequences nor error estimates. The error of the reference is
-// estimated from two independent sets of samples.
+// Reference images by jittered samples. They share intersection, shading and the rules by which VTK
+// blends layers with the ray caster, but neither the edges of meshes, coverage, sequences nor error
+// estimates. The error of the reference is estimated from two independent sets of samples.
 #ifndef penumbra_StratifiedReference_h
 #define penumbra_StratifiedReference_h
 

@@ -179,9 +179,10 @@ private:
   void ComputePoints(const SampledPixel& pixel, std::size_t before, std::size_t total);
   void RasterizeSamples(SampledPixel& pixel, std::size_t total);
   void GroupSamples();
-  std::uint32_t FindTriangleColor(
+  std::uint32_t AddToTriangleColor(
     SampledPixel& pixel, std::size_t knownColors, const VisibleTriangle& triangle);
-  std::uint32_t FindCentralSample(const VisibleTriangle& triangle) const;
+  glm::vec4 ShadeTriangle(
+    const SampledPixel& pixel, const VisibleTriangle& triangle, PrimitiveId id, bool isConstant);
   SampledPixel& AddSampledPixel();
   bool BuildFaces();
   void ComputeFaceColors(SampledPixel& pixel);

@@ -3,7 +3,7 @@
 //
 // Sampling in PixelIntegrator without rays: the triangles at the samples of a pixel full of edges are
 // found by comparing all samples with all triangles of the pixel. Each visible triangle is then
-// shaded once, or a few times if it covers much of the pixel.
+// shaded at the mean position of its samples, or of a few parts if it covers much of the pixel.
 #include "PixelIntegrator.h"
 
 #include "PixelErrors.h"
@@ -20,7 +20,7 @@ namespace
 
 /// Fraction of the pixel from which a triangle, whose color may vary, is shaded several times.
 constexpr double LargeArea = 0.125;
-constexpr std::size_t ShadedSamplesOfLargeArea = 4;
+constexpr std::uint32_t ShadedPartsOfLargeArea = 4;
 
 }
 
@@ -55,7 +55,7 @@ void PixelIntegrator::RasterizeSamples(SampledPixel& pixel, std::size_t total)
   const std::size_t known = pixel.TriangleColors.size();
   for (const VisibleTriangle& triangle : this->RasterizedTriangles)
   {
-    const std::uint32_t color = this->FindTriangleColor(pixel, known, triangle);
+    const std::uint32_t color = this->AddToTriangleColor(pixel, known, triangle);
     for (std::uint32_t i = triangle.First; i < triangle.First + triangle.Count; ++i)
     {
       pixel.SampleColors[before + this->Points.Indices[this->Grouped[i]]] = color;
@@ -104,78 +104,65 @@ void PixelIntegrator::GroupSamples()
   }
 }
 
-// Returns the index of the color of a triangle in this pixel, which is shaded when it is found first. The first
+// Adds samples of a triangle to its color in this pixel. Returns the index of the color. The first
 // `knownColors` colors are of earlier samples.
-std::uint32_t PixelIntegrator::FindTriangleColor(
+std::uint32_t PixelIntegrator::AddToTriangleColor(
   SampledPixel& pixel, std::size_t knownColors, const VisibleTriangle& triangle)
 {
   const bool isBackground = triangle.Index == TileRasterizer::None;
   const PrimitiveId id = isBackground ? PrimitiveId{ TileRasterizer::None, TileRasterizer::None }
                                       : this->Rasterizer->GetTriangle(triangle.Index);
+  const bool isExpensive = this->Tracer.HasShafts() || this->Tracer.UsesIrradianceProvider();
+  const bool isConstant =
+    !isBackground && !isExpensive && this->Tracer.GetShading().IsConstantPerTriangle(id.Surface);
   const auto end = pixel.TriangleColors.begin() + static_cast<std::ptrdiff_t>(knownColors);
-  const auto known = std::find_if(pixel.TriangleColors.begin(), end,
-    [=](const std::pair<PrimitiveId, glm::vec4>& entry) { return entry.first == id; });
-  if (known != end)
+  auto color = std::find_if(pixel.TriangleColors.begin(), end,
+    [=](const PixelTriangleColor& entry) { return entry.Id == id; });
+  if (color == end)
   {
-    return static_cast<std::uint32_t>(known - pixel.TriangleColors.begin());
+    pixel.TriangleColors.push_back({ id, glm::vec4(0.f), 0 });
+    color = pixel.TriangleColors.end() - 1;
   }
-  const std::uint32_t* const samples = this->Grouped.data() + triangle.First;
-  const double area =
-    static_cast<double>(triangle.Count) / static_cast<double>(this->Visible.size());
-  const bool isConstant = !isBackground && !this->Tracer.HasShafts() &&
-    !this->Tracer.UsesIrradianceProvider() &&
-    this->Tracer.GetShading().IsConstantPerTriangle(id.Surface);
-  const auto shade = [&](std::uint32_t sample, double part) {
-    return this->Tracer
-      .ShadeSample(
-        glm::dvec2(pixel.X, pixel.Y) + glm::dvec2(this->Points.X[sample], this->Points.Y[sample]),
-        isBackground ? nullptr : &id, this->Rays, ComputeToleranceScale(part))
-      .Color;
-  };
-  glm::vec4 color(0.f);
-  if (area < LargeArea || isConstant)
+  if (color->Count == 0 || !(isConstant || isExpensive))
   {
-    color = shade(this->FindCentralSample(triangle), area);
+    const glm::vec4 found = this->ShadeTriangle(pixel, triangle, id, isConstant);
+    const std::uint32_t count = color->Count + triangle.Count;
+    color->Color +=
+      static_cast<float>(triangle.Count) / static_cast<float>(count) * (found - color->Color);
   }
-  else
-  {
-    // The samples are sorted by cells, so these are spread over the triangle.
-    for (std::size_t i = 0; i < ShadedSamplesOfLargeArea; ++i)
-    {
-      const std::size_t at = (2 * i + 1) * triangle.Count / (2 * ShadedSamplesOfLargeArea);
-      color += shade(samples[at], area / ShadedSamplesOfLargeArea);
-    }
-    color /= static_cast<float>(ShadedSamplesOfLargeArea);
-  }
-  pixel.TriangleColors.emplace_back(id, color);
-  return static_cast<std::uint32_t>(pixel.TriangleColors.size() - 1);
+  color->Count += triangle.Count;
+  return static_cast<std::uint32_t>(color - pixel.TriangleColors.begin());
 }
 
-// Returns the sample of a triangle that is nearest to the mean position of its samples.
-std::uint32_t PixelIntegrator::FindCentralSample(const VisibleTriangle& triangle) const
+// Returns the mean color of a triangle over its samples. Colors that are linear over the image are
+// exact, because they are those at mean positions.
+glm::vec4 PixelIntegrator::ShadeTriangle(
+  const SampledPixel& pixel, const VisibleTriangle& triangle, PrimitiveId id, bool isConstant)
 {
-  const auto get = [&](std::uint32_t i) {
-    const std::uint32_t sample = this->Grouped[triangle.First + i];
-    return glm::vec2(this->Points.X[sample], this->Points.Y[sample]);
-  };
-  glm::vec2 sum(0.f);
-  for (std::uint32_t i = 0; i < triangle.Count; ++i)
+  const double area =
+    static_cast<double>(triangle.Count) / static_cast<double>(this->Visible.size());
+  const std::uint32_t parts = area < LargeArea || isConstant ? 1 : ShadedPartsOfLargeArea;
+  glm::vec4 color(0.f);
+  for (std::uint32_t part = 0; part < parts; ++part)
   {
-    sum += get(i);
-  }
-  const glm::vec2 mean = sum / static_cast<float>(triangle.Count);
-  std::uint32_t central = 0;
-  float nearest = std::numeric_limits<float>::infinity();
-  for (std::uint32_t i = 0; i < triangle.Count; ++i)
-  {
-    const glm::vec2 d = get(i) - mean;
-    if (glm::dot(d, d) < nearest)
+    // The samples are sorted by cells, so the samples of a part are close to each other.
+    const std::uint32_t first = triangle.First + part * triangle.Count / parts;
+    const std::uint32_t last = triangle.First + (part + 1) * triangle.Count / parts;
+    glm::dvec2 sum(0.0);
+    for (std::uint32_t i = first; i < last; ++i)
     {
-      nearest = glm::dot(d, d);
-      central = i;
+      const std::uint32_t sample = this->Grouped[i];
+      sum += glm::dvec2(this->Points.X[sample], this->Points.Y[sample]);
     }
+    const glm::dvec2 at = glm::dvec2(pixel.X, pixel.Y) + sum / static_cast<double>(last - first);
+    const float weight = static_cast<float>(last - first) / static_cast<float>(triangle.Count);
+    color += weight *
+      this->Tracer
+        .ShadeSample(at, triangle.Index == TileRasterizer::None ? nullptr : &id, this->Rays,
+          ComputeToleranceScale(area / parts))
+        .Color;
   }
-  return this->Grouped[triangle.First + central];
+  return color;
 }
 
 }

@@ -35,8 +35,8 @@ void VisitPairDifferences(const SampledPixel& pixel, const Visit& visit)
     }
     else if (pixel.SampleColors[i] != pixel.SampleColors[i ^ partner])
     {
-      visit(glm::dvec3(pixel.TriangleColors[pixel.SampleColors[i]].second) -
-        glm::dvec3(pixel.TriangleColors[pixel.SampleColors[i ^ partner]].second));
+      visit(glm::dvec3(pixel.TriangleColors[pixel.SampleColors[i]].Color) -
+        glm::dvec3(pixel.TriangleColors[pixel.SampleColors[i ^ partner]].Color));
     }
   }
 }
@@ -59,14 +59,9 @@ glm::dvec4 ComputeMeanOfSamples(const SampledPixel& pixel)
   {
     sum += glm::dvec4(sample);
   }
-  std::vector<int> counts(pixel.TriangleColors.size(), 0);
-  for (const std::uint32_t color : pixel.SampleColors)
+  for (const PixelTriangleColor& triangle : pixel.TriangleColors)
   {
-    ++counts[color];
-  }
-  for (std::size_t i = 0; i < counts.size(); ++i)
-  {
-    sum += static_cast<double>(counts[i]) * glm::dvec4(pixel.TriangleColors[i].second);
+    sum += static_cast<double>(triangle.Count) * glm::dvec4(triangle.Color);
   }
   return sum / static_cast<double>(pixel.GetNumberOfSamples());
 }

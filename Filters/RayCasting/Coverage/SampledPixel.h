@@ -12,7 +12,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace penumbra
@@ -71,6 +70,14 @@ struct PixelLayerColor
   }
 };
 
+/// Mean color of a triangle, or of the background, over samples of one pixel.
+struct PixelTriangleColor
+{
+  PrimitiveId Id{};
+  glm::vec4 Color{ 0.f };
+  std::uint32_t Count = 0; ///< number of samples
+};
+
 /// A pixel with the samples that were traced so far. If few edges cross the pixel, its faces have
 /// constant colors and exact areas, and samples only estimate the mean difference to them.
 struct SampledPixel
@@ -87,7 +94,7 @@ struct SampledPixel
   bool HasTexture = false; ///< of a triangle in LayerColors
   std::vector<PixelLayerColor> LayerColors; ///< per layer of a pixel of layers
   /// Colors of the visible triangles of a rasterized pixel.
-  std::vector<std::pair<PrimitiveId, glm::vec4>> TriangleColors;
+  std::vector<PixelTriangleColor> TriangleColors;
   /// Index in TriangleColors of each sample of a rasterized pixel, which has no Samples.
   std::vector<std::uint32_t> SampleColors;
   long long Rays = 0;       ///< number of rays of Samples

@@ -119,12 +119,13 @@ void CoverAllSamples(SampleRange samples, const LinearValue<float>& keys, std::i
   }
 }
 
-/// Stores `rank` at the samples that a triangle covers, if it coincides with the nearest one and its
-/// rank is lower.
+/// Stores `index` at the samples that a triangle covers and where it is nearest, or coincides with the
+/// nearest one. `error`: its KeyError, or minus infinity if it cannot coincide with others. `errors`:
+/// those of the nearest triangles.
 PENUMBRA_VECTORIZED
-void RankSamples(SampleRange samples, const LinearValue<float>* sides,
-  const LinearValue<float>& keys, float error, std::int32_t rank, const float* __restrict nearest,
-  const float* __restrict errors, std::int32_t* __restrict ranks)
+void CoverCoincidentSamples(SampleRange samples, const LinearValue<float>* sides,
+  const LinearValue<float>& keys, float error, std::int32_t index, float* __restrict nearest,
+  float* __restrict errors, std::int32_t* __restrict found)
 {
   const LinearValue<float> a = sides[0];
   const LinearValue<float> b = sides[1];
@@ -138,9 +139,12 @@ void RankSamples(SampleRange samples, const LinearValue<float>* sides,
     const float q = b.Value + b.SlopeX * x + b.SlopeY * y;
     const float r = c.Value + c.SlopeX * x + c.SlopeY * y;
     const float key = k.Value + k.SlopeX * x + k.SlopeY * y;
-    const bool isInFront = (p >= 0.f) & (q >= 0.f) & (r >= 0.f) &
-      (nearest[i] - key <= error + errors[i]) & (rank < ranks[i]);
-    ranks[i] = isInFront ? rank : ranks[i];
+    const bool isInside = (p >= 0.f) & (q >= 0.f) & (r >= 0.f);
+    const bool isNearest = isInside & (key > nearest[i]);
+    const bool isInFront = isNearest | (isInside & (nearest[i] - key <= error + errors[i]));
+    nearest[i] = isNearest ? key : nearest[i];
+    errors[i] = isNearest ? error : errors[i];
+    found[i] = isInFront ? index : found[i];
   }
 }
 
@@ -258,10 +262,31 @@ void TileRasterizer::BinTriangles(
   }
 }
 
+// Returns the triangles of the tile, those of one surface in the order in which they are in front
+// where all of them are in one plane.
+std::vector<PrimitiveId> TileRasterizer::GetFrontFirst() const
+{
+  const PrimitiveId* const begin = this->Bins.GetTriangles(this->Tile);
+  std::vector<PrimitiveId> ids(begin, begin + this->Bins.GetCount(this->Tile));
+  const CoincidentSurfaces& surfaces = this->Rays.GetCoincidentSurfaces();
+  auto last = ids.begin();
+  for (auto first = ids.begin(); first != ids.end(); first = last)
+  {
+    const std::uint32_t surface = first->Surface;
+    last =
+      std::find_if(first, ids.end(), [=](const PrimitiveId& id) { return id.Surface != surface; });
+    if (surfaces.IsLastInFront(surface) && this->Rays.GetCells(surface))
+    {
+      std::reverse(first, last);
+    }
+  }
+  return ids;
+}
+
 void TileRasterizer::Prepare()
 {
-  const PrimitiveId* const ids = this->Bins.GetTriangles(this->Tile);
-  const std::size_t count = this->Bins.GetCount(this->Tile);
+  const std::vector<PrimitiveId> ids = this->GetFrontFirst();
+  const std::size_t count = ids.size();
   this->Ids.reserve(count);
   this->Triangles.reserve(count);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps; // pixel and triangle
@@ -314,7 +339,7 @@ void TileRasterizer::Prepare()
 }
 
 // Moves the triangles of a surface that has all triangles in one plane to the plane of its largest
-// triangle. Of those that overlap, the first one is visible, as with rays.
+// triangle. Of those that overlap, the first one of GetFrontFirst() is visible, as with rays.
 void TileRasterizer::AlignPlanarTriangles()
 {
   std::size_t end = 0;
@@ -431,6 +456,7 @@ bool TileRasterizer::SelectPixel(glm::ivec2 pixel)
     this->Selected.end());
   this->IsComplex = false;
   this->MayCoincide = false;
+  const CoincidentSurfaces& surfaces = this->Rays.GetCoincidentSurfaces();
   std::uint32_t coincident = None;
   for (const PixelTriangle& triangle : this->Selected)
   {
@@ -438,7 +464,8 @@ bool TileRasterizer::SelectPixel(glm::ivec2 pixel)
     if (triangle.KeyError > 0.f)
     {
       const std::uint32_t surface = this->Ids[triangle.Index].Surface;
-      this->MayCoincide = this->MayCoincide || (coincident != None && coincident != surface);
+      this->MayCoincide = this->MayCoincide ||
+        (coincident != None && (coincident != surface || surfaces.IsLastInFront(surface)));
       coincident = surface;
     }
   }
@@ -456,7 +483,11 @@ void TileRasterizer::Rasterize(const SamplePoints& points, std::vector<std::uint
   const int perCell = points.GetCountPerCell();
   this->Nearest.assign(count, -std::numeric_limits<float>::infinity());
   this->Found.assign(count, -1);
-  for (std::size_t i = 0; i < this->Selected.size(); ++i)
+  if (this->MayCoincide)
+  {
+    this->CoverCoincident(points);
+  }
+  for (std::size_t i = 0; i < this->Selected.size() && !this->MayCoincide; ++i)
   {
     const PixelTriangle& triangle = this->Selected[i];
     const auto index = static_cast<std::int32_t>(i);
@@ -479,64 +510,34 @@ void TileRasterizer::Rasterize(const SamplePoints& points, std::vector<std::uint
   {
     visible[i] = this->Found[i] < 0 ? None : this->Selected[this->Found[i]].Index;
   }
-  if (this->MayCoincide)
-  {
-    this->FindCoincident(points, visible);
-  }
 }
 
-// Of the triangles that single precision cannot separate from the nearest one, the first in the
-// order of CoincidentSurfaces is visible.
-void TileRasterizer::FindCoincident(const SamplePoints& points, std::vector<std::uint32_t>& visible)
+// Finds the triangles at samples where single precision cannot separate some from the nearest one. Of
+// these, the first one in the order of CoincidentSurfaces is visible: each replaces those behind it.
+void TileRasterizer::CoverCoincident(const SamplePoints& points)
 {
-  const int count = points.GetCount();
   const int perCell = points.GetCountPerCell();
-  std::vector<std::int32_t> order;
-  for (std::size_t i = 0; i < this->Selected.size(); ++i)
-  {
-    if (this->Selected[i].KeyError > 0.f)
-    {
-      order.push_back(static_cast<std::int32_t>(i));
-    }
-  }
   const CoincidentSurfaces& surfaces = this->Rays.GetCoincidentSurfaces();
-  const auto key = [&](std::int32_t i) {
-    const PrimitiveId id = this->Ids[this->Selected[i].Index];
-    return std::make_tuple(surfaces.GetDrawOrder(id.Surface), id.Primitive);
-  };
-  std::sort(
-    order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) { return key(a) < key(b); });
-  std::vector<std::int32_t> ranks(this->Selected.size(), std::numeric_limits<std::int32_t>::max());
-  for (std::size_t rank = 0; rank < order.size(); ++rank)
+  std::vector<std::uint32_t> order(this->Selected.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const PrimitiveId p = this->Ids[this->Selected[a].Index];
+    const PrimitiveId q = this->Ids[this->Selected[b].Index];
+    return surfaces.IsInFront(q.Surface, q.Primitive, p.Surface, p.Primitive);
+  });
+  this->Errors.assign(points.GetCount(), -std::numeric_limits<float>::infinity());
+  for (const std::uint32_t i : order)
   {
-    ranks[order[rank]] = static_cast<std::int32_t>(rank);
-  }
-  this->Errors.resize(count);
-  for (int i = 0; i < count; ++i)
-  {
-    const std::int32_t found = this->Found[i];
-    const bool coincides = found >= 0 && this->Selected[found].KeyError > 0.f;
-    this->Errors[i] =
-      coincides ? this->Selected[found].KeyError : -std::numeric_limits<float>::infinity();
-    this->Found[i] = coincides ? ranks[found] : std::numeric_limits<std::int32_t>::max();
-  }
-  for (std::size_t rank = 0; rank < order.size(); ++rank)
-  {
-    const PixelTriangle& triangle = this->Selected[order[rank]];
+    const PixelTriangle& triangle = this->Selected[i];
+    const float error =
+      triangle.KeyError > 0.f ? triangle.KeyError : -std::numeric_limits<float>::infinity();
     const int width = (triangle.LastColumn - triangle.FirstColumn + 1) * perCell;
     for (int row = triangle.FirstRow; row <= triangle.LastRow; ++row)
     {
       const int first = (row * SamplePoints::CellsPerSide + triangle.FirstColumn) * perCell;
-      RankSamples({ points.X.data() + first, points.Y.data() + first, width }, triangle.Sides,
-        triangle.Key, triangle.KeyError, static_cast<std::int32_t>(rank),
+      CoverCoincidentSamples({ points.X.data() + first, points.Y.data() + first, width },
+        triangle.Sides, triangle.Key, error, static_cast<std::int32_t>(i),
         this->Nearest.data() + first, this->Errors.data() + first, this->Found.data() + first);
-    }
-  }
-  for (int i = 0; i < count; ++i)
-  {
-    if (this->Found[i] < static_cast<std::int32_t>(order.size()))
-    {
-      visible[i] = this->Selected[order[this->Found[i]]].Index;
     }
   }
 }

@@ -112,6 +112,7 @@ private:
     std::uint32_t Index; ///< in Triangles and Ids
   };
 
+  std::vector<PrimitiveId> GetFrontFirst() const;
   void Prepare();
   ProjectedTriangle AddTriangle(PrimitiveId id);
   void BinTriangles(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& overlaps);
@@ -121,7 +122,7 @@ private:
   void CoverRows(const SamplePoints& points, int firstRow, int rows);
   LayerCandidate* SelectLayers(LayerCandidate* begin, LayerCandidate* end) const;
   LayerCandidate* SelectCoincident(LayerCandidate* begin, LayerCandidate* end) const;
-  void FindCoincident(const SamplePoints& points, std::vector<std::uint32_t>& visible);
+  void CoverCoincident(const SamplePoints& points);
 
   const RayScene& Rays;
   const TriangleBins& Bins;

@@ -170,8 +170,7 @@ LayerCandidate* TileRasterizer::SelectCoincident(LayerCandidate* begin, LayerCan
       std::sort(first, last, [&](const LayerCandidate& a, const LayerCandidate& b) {
         const PrimitiveId p = this->GetLayer(a.Layer);
         const PrimitiveId q = this->GetLayer(b.Layer);
-        return std::make_pair(surfaces.GetDrawOrder(p.Surface), p.Primitive) <
-          std::make_pair(surfaces.GetDrawOrder(q.Surface), q.Primitive);
+        return surfaces.IsInFront(p.Surface, p.Primitive, q.Surface, q.Primitive);
       });
     }
     int next = 0;

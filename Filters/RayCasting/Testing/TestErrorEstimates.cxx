@@ -18,17 +18,20 @@
 #include "vtkParametricFunctionSource.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 using namespace penumbra;
@@ -237,4 +240,71 @@ TEST(UnsteadyNormals, AreSampledToTheTolerance)
     above += tile.Error > tolerance && tile.Estimate < tile.Error ? 1 : 0;
   }
   EXPECT_LE(20 * above, tiles.size());
+}
+
+TEST(ColorsOfWires, AreAveragedOverEachSegment)
+{
+  // Colors that change within less than a pixel along segments that cover small parts of it.
+  const vtkSmartPointer<vtkPolyData> mesh = MakeGyroid(20000.0, false);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const auto random = static_cast<std::uint32_t>(i) * 2654435761u;
+    colors->InsertNextTuple3(random >> 24, random >> 16 & 255u, random >> 8 & 255u);
+  }
+  mesh->GetPointData()->SetScalars(colors);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(mesh);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetRepresentationToWireframe();
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetLineWidth(1.5f);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  renderer->ResetCamera();
+  renderer->GetActiveCamera()->Zoom(1.5);
+  constexpr int Side = 48;
+  double tolerance = 0.0;
+  const Answer answer = Cast(renderer, Side, Side, [&](vtkPenumbraRayCaster* caster) {
+    caster->SetTolerance(1.0 / 512.0);
+    tolerance = caster->GetTolerance();
+  });
+  const StratifiedReference reference = DrawStratified(renderer, Side, Side, 24, false);
+  for (const TileAccuracy& tile : CompareTiles(answer, reference, Side))
+  {
+    EXPECT_LE(tile.Error, std::max(tolerance, tile.Estimate));
+  }
+}
+
+TEST(StratifiedReference, BlendsEdgesAndTheirFacesAsOneLayer)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(8.0, 8.0, 0.0);
+  plane->SetPoint1(40.0, 8.0, 0.0);
+  plane->SetPoint2(8.0, 40.0, 0.0);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(0.2, 0.4, 0.6);
+  actor->GetProperty()->SetOpacity(0.5);
+  actor->GetProperty()->EdgeVisibilityOn();
+  actor->GetProperty()->SetEdgeColor(1.0, 0.0, 0.0);
+  actor->GetProperty()->SetLineWidth(6.f);
+  const vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+  renderer->SetBackground(0.0, 0.0, 1.0);
+  renderer->AddActor(actor);
+  LookAtImage(renderer, 48, 48);
+  const StratifiedReference reference = DrawStratified(renderer, 48, 48, 4, false);
+  const auto check = [&](int x, int y, glm::dvec3 expected) {
+    const glm::dvec3 found = reference.Colors[y * 48 + x];
+    EXPECT_NEAR(glm::length(found - expected), 0.0, 1e-5) << x << ", " << y;
+  };
+  check(2, 2, { 0.0, 0.0, 1.0 });
+  check(24, 24, { 0.1, 0.2, 0.8 });
+  check(24, 9, { 0.5, 0.0, 0.5 }); // half of the edge lies on the face
+  check(24, 6, { 0.5, 0.0, 0.5 });
 }

@@ -43,8 +43,8 @@ Key MakeKey(const Surface& surface, std::uint32_t triangle)
   return { corners, triangle };
 }
 
-/// Returns the triangles among every `stride`-th one that are copies of earlier ones.
-std::vector<std::uint32_t> FindCopies(const Surface& surface, std::size_t stride)
+/// Returns the triangles among every `stride`-th one that are copies of earlier ones, or of later ones.
+std::vector<std::uint32_t> FindCopies(const Surface& surface, std::size_t stride, bool ofLaterOnes)
 {
   std::vector<Key> keys;
   keys.reserve(surface.Triangles.size() / stride + 1);
@@ -58,7 +58,7 @@ std::vector<std::uint32_t> FindCopies(const Surface& surface, std::size_t stride
   {
     if (std::get<0>(keys[i]) == std::get<0>(keys[i - 1]))
     {
-      copies.push_back(std::get<1>(keys[i]));
+      copies.push_back(std::get<1>(keys[ofLaterOnes ? i - 1 : i]));
     }
   }
   return copies;
@@ -106,15 +106,15 @@ BoxOverlap::BoxOverlap(const Surface& surface)
   this->Thinness = total.Boxes > 0.0 ? total.Boxes / std::max(total.Triangles, 1e-300) : 0.0;
 }
 
-std::vector<glm::uvec3> RemoveCopies(const Surface& surface)
+std::vector<glm::uvec3> RemoveCopies(const Surface& surface, bool isLastInFront)
 {
   const std::size_t stride = surface.Triangles.size() / MaximumTrianglesTried + 1;
-  if (FindCopies(surface, stride).empty())
+  if (FindCopies(surface, stride, isLastInFront).empty())
   {
     return {};
   }
   std::vector<glm::uvec3> triangles = surface.Triangles;
-  for (const std::uint32_t copy : FindCopies(surface, 1))
+  for (const std::uint32_t copy : FindCopies(surface, 1, isLastInFront))
   {
     triangles[copy] = glm::uvec3(std::numeric_limits<std::uint32_t>::max());
   }

@@ -33,8 +33,10 @@ private:
 
 /// Returns the triangles with all copies of earlier ones, of the same orientation, replaced by
 /// vertices that do not exist, which Embree ignores; empty if few triangles are copies. Rays hit
-/// the first of several copies, so that the image remains the same.
-VTKPENUMBRAFILTERSRAYTRACING_EXPORT std::vector<glm::uvec3> RemoveCopies(const Surface& surface);
+/// the first of several copies, so that the image remains the same. If `isLastInFront` is true, the
+/// last one remains.
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT std::vector<glm::uvec3> RemoveCopies(
+  const Surface& surface, bool isLastInFront = false);
 
 }
 #endif

@@ -3,6 +3,7 @@
 #include "CoincidentSurfaces.h"
 
 #include "AxisAlignedBox.h"
+#include "PlanarCells.h"
 #include "RayTriangle.h"
 #include "Scene.h"
 #include "SceneBounds.h"
@@ -73,6 +74,26 @@ std::tuple<bool, float, bool> MakeSortKey(const Surface& surface)
   return { !surface.IsLineOrPoint, surface.DepthRank, !surface.IsTranslucent() };
 }
 
+/// Returns true if several triangles of the surface may be at the same point and differ in color:
+/// lines and points, and polygons in one plane.
+bool MayCoincideWithItself(const Surface& surface)
+{
+  if (surface.IsRound() || surface.Instances || surface.Triangles.size() < 2)
+  {
+    return false;
+  }
+  const bool isColored = !surface.CellColors.empty() || !surface.PointColors.empty() ||
+    surface.ColorTexture || surface.LitTexture;
+  if (surface.IsLineOrPoint)
+  {
+    // Points may have the same position and different normals. Lines then have the same normal.
+    const bool isShaded = surface.Front.Lighting && !surface.Normals.empty() &&
+      surface.NormalRule == Surface::NormalRules::Unchanged;
+    return isColored || isShaded || surface.IsTranslucent();
+  }
+  return !surface.CellColors.empty() && IsPlanar(surface);
+}
+
 /// Returns the error of the hit distance that results from the rounded vertices of the triangle.
 double ComputeRoundingError(const Ray& ray, const Surface& surface, std::uint32_t triangle)
 {
@@ -88,7 +109,31 @@ double ComputeRoundingError(const Ray& ray, const Surface& surface, std::uint32_
 
 }
 
-float CandidateHits::Add(const CandidateHit& hit, float tolerance)
+// Returns the hit of a surface that is drawn first, except the nearest one and, of several that are
+// equally near, the one that is drawn last; null if there is no other.
+CandidateHit* CandidateHits::FindFirstDrawn(std::uint32_t surface)
+{
+  const CandidateHit* nearest = nullptr;
+  for (const CandidateHit& hit : this->Hits)
+  {
+    if (!nearest || hit.Distance < nearest->Distance ||
+      (hit.Distance == nearest->Distance && hit.Primitive > nearest->Primitive))
+    {
+      nearest = &hit;
+    }
+  }
+  CandidateHit* first = nullptr;
+  for (CandidateHit& hit : this->Hits)
+  {
+    if (hit.Surface == surface && &hit != nearest && (!first || hit.Primitive < first->Primitive))
+    {
+      first = &hit;
+    }
+  }
+  return first;
+}
+
+float CandidateHits::Add(const CandidateHit& hit, float tolerance, bool isLastInFront)
 {
   float nearest = hit.Distance;
   for (int i = 0; i < this->Count; ++i)
@@ -102,6 +147,14 @@ float CandidateHits::Add(const CandidateHit& hit, float tolerance)
   if (this->Count < Capacity)
   {
     this->Hits[this->Count++] = hit;
+    return nearest;
+  }
+  if (CandidateHit* const first = isLastInFront ? this->FindFirstDrawn(hit.Surface) : nullptr)
+  {
+    if (hit.Primitive > first->Primitive || hit.Distance == nearest)
+    {
+      *first = hit;
+    }
     return nearest;
   }
   // Rays through a vertex hit many triangles of each surface, of which one is enough.
@@ -123,6 +176,7 @@ float CandidateHits::Add(const CandidateHit& hit, float tolerance)
 CoincidentSurfaces::CoincidentSurfaces(const Scene& scene)
   : TracedScene(scene),
     DepthTolerances(scene.Surfaces.size(), 0.f),
+    LastInFront(scene.Surfaces.size(), 0),
     DrawOrder(scene.Surfaces.size(), 0),
     NextInOrder(scene.Surfaces.size(), 0)
 {
@@ -143,6 +197,13 @@ CoincidentSurfaces::CoincidentSurfaces(const Scene& scene)
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     const AxisAlignedBox& a = boxes[order[i]];
+    if (MayCoincideWithItself(scene.Surfaces[order[i]]))
+    {
+      this->Empty = false;
+      this->LastInFront[order[i]] = 1;
+      this->DepthTolerances[order[i]] =
+        std::max(this->DepthTolerances[order[i]], ComputeDepthTolerance(a));
+    }
     for (std::size_t j = i + 1; j < order.size() && boxes[order[j]].Low.x <= a.High.x + largest;
          ++j)
     {
@@ -183,8 +244,8 @@ Hit CoincidentSurfaces::Resolve(
   if (this->DepthTolerances[embreeHit.Surface] <= 0.f)
   {
     candidates.Add(
-      { embreeHit.Surface, embreeHit.Primitive, embreeHit.U, embreeHit.V, embreeHit.Distance },
-      0.f);
+      { embreeHit.Surface, embreeHit.Primitive, embreeHit.U, embreeHit.V, embreeHit.Distance }, 0.f,
+      false);
   }
   if (ray.FirstInOrder > 0)
   {
@@ -237,8 +298,7 @@ Hit CoincidentSurfaces::Resolve(
     begin = std::min(begin, hit.Distance);
     farthest = std::max({ farthest, hit.Distance, static_cast<float>(distances[i]) });
     last = std::max(last, this->DrawOrder[hit.Surface]);
-    if (std::make_pair(this->DrawOrder[hit.Surface], hit.Primitive) <
-      std::make_pair(this->DrawOrder[front.Surface], front.Primitive))
+    if (this->IsInFront(hit.Surface, hit.Primitive, front.Surface, front.Primitive))
     {
       best = i;
     }

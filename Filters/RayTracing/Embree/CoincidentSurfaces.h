@@ -6,13 +6,15 @@
 // Coplanar surfaces are ordered as VTK draws them, so that the image does not depend on rounding:
 // lines and points are in front, then surfaces whose mappers shift them toward the camera, then
 // translucent surfaces, then those that are drawn later. Of coincident translucent surfaces, a ray meets
-// only the first one.
+// only the first one. Of lines, points and polygons of one surface that coincide and differ in color,
+// the one that is drawn last is in front, because it passes VTK's depth test (GL_LEQUAL).
 #ifndef penumbra_CoincidentSurfaces_h
 #define penumbra_CoincidentSurfaces_h
 
 #include "RayScene.h"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace penumbra
@@ -39,8 +41,12 @@ struct CandidateHits
 
   /// Adds `hit` and removes hits farther than `tolerance` behind the nearest one. If the capacity
   /// is exceeded, the farthest hit of the surfaces that have several is dropped, or else the
-  /// farthest one. Returns the distance of the nearest hit.
-  float Add(const CandidateHit& hit, float tolerance);
+  /// farthest one. `isLastInFront`: see CoincidentSurfaces; of such a surface, the triangle that is
+  /// drawn first is dropped, except the nearest one. Returns the distance of the nearest hit.
+  float Add(const CandidateHit& hit, float tolerance, bool isLastInFront);
+
+private:
+  CandidateHit* FindFirstDrawn(std::uint32_t surface);
 };
 
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT CoincidentSurfaces
@@ -54,6 +60,22 @@ public:
   /// separate this surface from another one; 0 if no other surface is near.
   float DepthTolerance(std::uint32_t surface) const { return this->DepthTolerances[surface]; }
 
+  /// Returns true if triangles of this surface may coincide with each other and differ in color. The
+  /// one with the highest index, which VTK draws last, is then in front.
+  bool IsLastInFront(std::uint32_t surface) const { return this->LastInFront[surface] != 0; }
+
+  /// Returns true if triangle `p` of surface `a` is in front of triangle `q` of surface `b` where
+  /// they coincide.
+  bool IsInFront(std::uint32_t a, std::uint32_t p, std::uint32_t b, std::uint32_t q) const
+  {
+    const int first = this->DepthTolerances[a] > 0.f ? this->DrawOrder[a] : NoOrder;
+    const int second = this->DepthTolerances[b] > 0.f ? this->DrawOrder[b] : NoOrder;
+    return first != second        ? first < second
+      : a != b                    ? a < b
+      : this->LastInFront[a] != 0 ? p > q
+                                  : p < q;
+  }
+
   /// Returns the position of this surface in the order of coplanar surfaces, 0 in front. It is
   /// meaningful if DepthTolerance() is positive.
   int GetDrawOrder(std::uint32_t surface) const { return this->DrawOrder[surface]; }
@@ -61,7 +83,7 @@ public:
   /// Returns the first position behind this surface that a ray meets where they coincide.
   int GetNextInOrder(std::uint32_t surface) const { return this->NextInOrder[surface]; }
 
-  /// Returns true if no two surfaces are near each other.
+  /// Returns true if no two surfaces are near each other, and none coincides with itself.
   bool IsEmpty() const { return this->Empty; }
 
   /// Returns the visible hit of the candidates; `embreeHit` is what Embree returned.
@@ -70,8 +92,11 @@ public:
   Hit Resolve(const Ray& ray, const Hit& embreeHit, CandidateHits& candidates) const;
 
 private:
+  static constexpr int NoOrder = std::numeric_limits<int>::max();
+
   const Scene& TracedScene;
   std::vector<float> DepthTolerances; ///< per surface
+  std::vector<char> LastInFront;      ///< per surface: see IsLastInFront()
   bool Empty = true;
   std::vector<int> DrawOrder;   ///< per surface; lower values are in front
   std::vector<int> NextInOrder; ///< place in this order of the next one that a ray meets

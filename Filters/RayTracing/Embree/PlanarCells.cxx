@@ -97,7 +97,8 @@ class PlanarCellBuilder
 public:
   PlanarCellBuilder(const Surface& surface, const Plane& plane, double slack)
     : SurfacePlane(plane),
-      Slack(slack)
+      Slack(slack),
+      IsLastInFront(!surface.CellColors.empty())
   {
     const glm::dvec3 size = glm::abs(plane.Normal);
     this->Up = size.z >= std::max(size.x, size.y) ? 2 : size.y >= size.x ? 1 : 0;
@@ -125,9 +126,10 @@ public:
     glm::dvec2 low(std::numeric_limits<double>::infinity());
     glm::dvec2 high(-low);
     std::vector<std::uint32_t> all;
-    for (std::uint32_t i = 0; i < this->Projected.size(); ++i)
+    const auto count = static_cast<std::uint32_t>(this->Projected.size());
+    for (std::uint32_t i = 0; i < count; ++i)
     {
-      all.push_back(i);
+      all.push_back(this->IsLastInFront ? count - 1 - i : i);
       for (const glm::dvec2& corner : this->Projected[i])
       {
         low = glm::min(low, corner);
@@ -246,11 +248,18 @@ private:
 
   const Plane SurfacePlane;
   const double Slack;
+  const bool IsLastInFront;
   int Up = 2; ///< axis of the projection
   std::vector<Corners> Projected;
   std::size_t Tests = 0;
   std::shared_ptr<PlanarCells> Cells;
 };
+
+bool IsPlanar(const Surface& surface)
+{
+  const Plane plane = FindPlane(surface);
+  return plane.Normal != glm::dvec3(0.0) && IsInPlane(surface, plane, ComputeSlack(surface));
+}
 
 std::shared_ptr<const PlanarCells> PlanarCells::MakeIfUseful(
   const Surface& surface, const BoxOverlap& overlap)

@@ -23,6 +23,9 @@ struct Surface;
 
 struct BoxOverlap;
 
+/// Returns true if all triangles of a surface are in one plane, up to rounding errors.
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT bool IsPlanar(const Surface& surface);
+
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT PlanarCells
 {
 public:
@@ -37,9 +40,9 @@ public:
   /// Returns the box of a cell, enlarged by rounding errors.
   const AxisAlignedBox& GetBox(std::size_t cell) const { return this->Boxes[cell]; }
 
-  /// Calls visit(triangle) for the triangles that overlap a cell, lower indices first, until one
-  /// covers it or `visit` returns true. The first triangle that a ray hits is the one of the lowest
-  /// index.
+  /// Calls visit(triangle) for the triangles that overlap a cell, those in front first, until one
+  /// covers it or `visit` returns true. The one with the lowest index is in front, or, if triangles
+  /// have colors, the one with the highest index, which VTK draws last.
   template <typename Visit>
   void VisitTriangles(std::size_t cell, Visit visit) const
   {

@@ -372,8 +372,9 @@ RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& prog
   {
     const Surface& surface = scene.Surfaces[i];
     const BoxOverlap overlap(surface);
-    this->Traced.push_back({ &surface, this->Coincident->DepthTolerance(i),
-      surface.IsRound() && surface.IsTranslucent(), overlap.IsLarge(), nullptr, nullptr });
+    this->Traced.push_back(
+      { &surface, this->Coincident->DepthTolerance(i), this->Coincident->IsLastInFront(i),
+        surface.IsRound() && surface.IsTranslucent(), overlap.IsLarge(), nullptr, nullptr });
     TracedSurface& traced = this->Traced.back();
     if (!surface.Instances)
     {

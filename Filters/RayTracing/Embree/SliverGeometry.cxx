@@ -141,8 +141,9 @@ void Intersect(const RTCIntersectFunctionNArguments* args)
       {
         const float tolerance = traced.DepthTolerance / glm::length(ray.Direction);
         CandidateHits& candidates = static_cast<QueryContext*>(args->context)->Candidates[id];
-        farthest = std::min(
-          candidates.Add({ args->geomID, triangle, u, v, distance }, tolerance) + tolerance,
+        farthest = std::min(candidates.Add({ args->geomID, triangle, u, v, distance }, tolerance,
+                              traced.IsLastInFront) +
+            tolerance,
           candidates.Far);
       }
       RTCHitN_u(hits, args->N, i) = u;

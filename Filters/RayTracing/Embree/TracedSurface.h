@@ -24,6 +24,7 @@ struct TracedSurface
 {
   const Surface* Data;
   float DepthTolerance;
+  bool IsLastInFront;                        ///< see CoincidentSurfaces
   bool IsTranslucent;                        ///< of spheres and tubes only
   bool MayHaveCopies;                        ///< the boxes of many triangles overlap
   std::shared_ptr<const SliverTree> Slivers; ///< replaces Embree's BVH of the triangles if not null

@@ -45,15 +45,15 @@ void IntersectFilter(const RTCFilterFunctionNArguments* args)
       if (!instance)
       {
         const float tolerance = traced.DepthTolerance / glm::length(direction);
-        RTCRayN_tfar(args->ray, args->N, i) =
-          std::min(candidates.Add(hit, tolerance) + tolerance, candidates.Far);
+        RTCRayN_tfar(args->ray, args->N, i) = std::min(
+          candidates.Add(hit, tolerance, traced.IsLastInFront) + tolerance, candidates.Far);
         continue;
       }
       hit.Surface = instance->Surface;
       hit.Primitive += instance->First;
       hit.Distance = static_cast<float>(instance->Start + static_cast<double>(hit.Distance));
       const float tolerance = traced.DepthTolerance / instance->Length;
-      const float far = std::min(candidates.Add(hit, tolerance) + tolerance, candidates.Far);
+      const float far = std::min(candidates.Add(hit, tolerance, false) + tolerance, candidates.Far);
       RTCRayN_tfar(args->ray, args->N, i) = static_cast<float>(far - instance->Start);
     }
   }
@@ -95,7 +95,7 @@ RTCGeometry MakeTriangleGeometry(RTCDevice device, TracedSurface& traced)
   std::vector<glm::uvec3> unique;
   if (traced.MayHaveCopies)
   {
-    unique = RemoveCopies(surface);
+    unique = RemoveCopies(surface, traced.IsLastInFront);
   }
   SetBuffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3,
     unique.empty() ? surface.Triangles : unique, !unique.empty());

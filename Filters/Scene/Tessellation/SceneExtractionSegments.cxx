@@ -54,6 +54,56 @@ void RemoveDuplicates(std::vector<LineSegment>& segments)
   segments.erase(std::unique(segments.begin(), segments.end(), same), segments.end());
 }
 
+/// Returns true if the two segments between the same points may differ in color or in shading.
+bool AreCellsDistinct(const DrawItem& item)
+{
+  return item.Colors.Mode == Coloring::Modes::PerCell || item.Data->GetCellData()->GetNormals();
+}
+
+/// Returns the opacity of a cell in [0, 255], as far as colors per cell determine it.
+int GetOpacity(const DrawItem& item, std::uint32_t cell)
+{
+  const bool isPerCell = item.Colors.Mode == Coloring::Modes::PerCell;
+  return isPerCell ? static_cast<int>(item.Colors.Colors->GetComponent(cell, 3)) : 255;
+}
+
+/// Keeps the visible one of the segments between the same two points: the most opaque one, or of
+/// equal ones the last one, which passes the depth test of VTK. The order remains.
+void KeepVisibleDuplicates(const DrawItem& item, std::vector<LineSegment>& segments)
+{
+  std::vector<std::uint32_t> order(segments.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto ends = [&](std::uint32_t i) {
+    return std::make_pair(
+      std::min(segments[i].From, segments[i].To), std::max(segments[i].From, segments[i].To));
+  };
+  const auto key = [&](std::uint32_t i) {
+    return std::make_tuple(ends(i), GetOpacity(item, segments[i].Cell), i);
+  };
+  std::sort(
+    order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  std::vector<bool> isHidden(segments.size(), false);
+  for (std::size_t i = 0; i + 1 < order.size(); ++i)
+  {
+    isHidden[order[i]] = ends(order[i]) == ends(order[i + 1]);
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    if (!isHidden[i])
+    {
+      segments[kept++] = segments[i];
+    }
+  }
+  segments.resize(kept);
+}
+
+/// Keeps one of the segments between the same two points.
+void ResolveDuplicates(const DrawItem& item, std::vector<LineSegment>& segments)
+{
+  AreCellsDistinct(item) ? KeepVisibleDuplicates(item, segments) : RemoveDuplicates(segments);
+}
+
 /// Removes the segments between two polygons that are parts of one face, see CurvedFaceIds.
 void RemoveInnerEdges(vtkDataArray* faces, std::vector<LineSegment>& segments)
 {
@@ -120,9 +170,9 @@ std::vector<LineSegment> CollectPoints(const DrawItem& item, bool all)
       break;
     }
   }
-  if (all && item.Colors.Mode != Coloring::Modes::PerCell)
+  if (all)
   {
-    RemoveDuplicates(segments);
+    ResolveDuplicates(item, segments);
   }
   return segments;
 }
@@ -192,10 +242,7 @@ std::vector<LineSegment> CollectEdges(const DrawItem& item, const PolygonTest& i
   segments.erase(std::remove_if(segments.begin(), segments.end(),
                    [](const LineSegment& segment) { return segment.From == segment.To; }),
     segments.end());
-  if (item.Colors.Mode != Coloring::Modes::PerCell)
-  {
-    RemoveDuplicates(segments);
-  }
+  ResolveDuplicates(item, segments);
   return segments;
 }
 

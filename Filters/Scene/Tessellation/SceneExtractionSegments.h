@@ -24,14 +24,14 @@ struct LineSegment
 };
 
 /// Returns the points of vertex cells. If `all` is true, returns the points of all cells, without
-/// duplicates unless colors are per cell.
+/// duplicates: of several cells, the point of that one is kept which VTK shows, the last one.
 std::vector<LineSegment> CollectPoints(const DrawItem& item, bool all);
 
 /// Returns the segments of line cells.
 std::vector<LineSegment> CollectLines(vtkPolyData* data);
 
-/// Returns the edges of polygons and strips, without duplicates unless colors are per cell. Edges
-/// hidden by edge flags are skipped, and edges of polygons for which `isCulled` returns true, which
+/// Returns the edges of polygons and strips, without duplicates: of several cells, the edge of that
+/// one is kept which VTK shows, the last one. Edges hidden by edge flags are skipped, and edges of polygons for which `isCulled` returns true, which
 /// takes the ids of their points and the number of ids.
 using PolygonTest = std::function<bool(const vtkIdType*, vtkIdType)>;
 VTKPENUMBRAFILTERSSCENE_EXPORT std::vector<LineSegment> CollectEdges(
