@@ -176,9 +176,9 @@ bool vtkPenumbraRayCastPass::RenderEffect(const vtkRenderState* state)
   return true;
 }
 
-void vtkPenumbraRayCastPass::ReleaseGraphicsResources(vtkWindow* window)
+void vtkPenumbraRayCastPass::ReleaseGraphicsResources(vtkWindow* w)
 {
-  this->Superclass::ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(w);
   this->Implementation->Refiner.Stop();
   this->Implementation->Renderer = nullptr;
 }

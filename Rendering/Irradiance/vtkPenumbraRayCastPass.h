@@ -58,7 +58,7 @@ public:
   /** Returns true if the last frame showed the complete image. */
   bool IsComplete();
 
-  void ReleaseGraphicsResources(vtkWindow* window) override;
+  void ReleaseGraphicsResources(vtkWindow* w) override;
 
 protected:
   vtkPenumbraRayCastPass();
