@@ -10,6 +10,8 @@ option(PENUMBRA_BUILD_PACKAGE "Let CPack package the program with all its librar
 set(PENUMBRA_PYTHON_VTK cvista CACHE STRING
   "Python package whose VTK the modules use: cvista (stable ABI) or vtkmodules (one CPython, old C++ ABI).")
 option(PENUMBRA_WARNINGS_AS_ERRORS "Fail on compiler warnings." OFF)
+option(PENUMBRA_TEST_ONCE
+  "Run the tests labelled `once`, too: no option of the compiler and no version of VTK changes their results." ON)
 option(PENUMBRA_SANITIZERS "Build with AddressSanitizer and UBSan." OFF)
 option(PENUMBRA_INSTALL_VTK_PATH
   "Store the folder of VTK in the installed package and libraries. OFF: for another machine." ON)
@@ -70,8 +72,9 @@ endif ()
 find_program(PENUMBRA_CCACHE ccache)
 if (PENUMBRA_CCACHE)
   set(CMAKE_C_COMPILER_LAUNCHER "${PENUMBRA_CCACHE}")
-  # Without these, ccache does not cache sources with precompiled headers.
-  set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros "${PENUMBRA_CCACHE}")
+  # Without CCACHE_SLOPPINESS, ccache does not cache sources with precompiled headers; without CCACHE_INODECACHE, it reads
+  # the 160 MB of the precompiled header for each of them.
+  set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_INODECACHE=1 "${PENUMBRA_CCACHE}")
 endif ()
 
 # penumbra_precompile(<target> [header...]) precompiles headers of VTK and the standard library, and others, which are half

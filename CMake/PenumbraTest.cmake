@@ -1,7 +1,8 @@
 # penumbra_test(<TestName> [SOURCES more.cxx...] [LABELS label...] MODULES Penumbra::... VTK::...)
 # GoogleTest cases in <TestName>.cxx; each TEST becomes a CTest test. The target <TestName> holds the objects. The
 # tests of a folder with the same labels are one program, <Folder>Tests: it links in seconds, where one for each source
-# takes minutes. `ninja <Folder>Tests` builds it.
+# takes minutes. `ninja <Folder>Tests` builds it. Tests with the label `once` are part of it only if PENUMBRA_TEST_ONCE
+# is ON.
 include(GoogleTest)
 
 # The semicolons are escaped because gtest_discover_tests() treats them as argument separators.
@@ -52,6 +53,10 @@ function (penumbra_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LABELS;MODULES")
   if (NOT arg_LABELS)
     set(arg_LABELS fast)
+  endif ()
+  if ("once" IN_LIST arg_LABELS AND NOT PENUMBRA_TEST_ONCE)
+    add_library(${name} OBJECT EXCLUDE_FROM_ALL ${name}.cxx ${arg_SOURCES})
+    return()
   endif ()
   penumbra_test_program(program "${arg_LABELS}")
   if (NOT TARGET ${program})
