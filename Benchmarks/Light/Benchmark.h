@@ -7,6 +7,9 @@
 
 #include "ResultTable.h"
 
+#include "vtkPenumbraIrradianceProvider.h"
+#include "vtkSmartPointer.h"
+
 #include <ctime>
 #include <string>
 
@@ -21,7 +24,7 @@ struct LightBenchmark
   std::string Width;            ///< of the images of the part "occlusion", in pixels; empty: 500
   std::string Mesh;             ///< part of the names of its meshes; empty: all
   std::string InverseTolerance; ///< of its images; empty: 256
-  std::string Provider; ///< of its occlusion: "brute-force" or "cache"; empty: joined pixels
+  std::string Provider;         ///< of images: "brute-force" or "cache"; empty: joined pixels
   ResultTable Results;
 
   /// Tolerance of light relative to that of the image, see vtkPenumbraRayCaster::SetLightTolerance().
@@ -52,6 +55,10 @@ void MeasurePanes(LightBenchmark& benchmark);
 
 /// Ambient occlusion of meshes at the default settings: accuracy and cost of images.
 void MeasureOcclusion(LightBenchmark& benchmark);
+void MeasureIndirect(LightBenchmark& benchmark);
+
+/// Returns the provider that an option names, see LightBenchmark::Provider.
+vtkSmartPointer<vtkPenumbraIrradianceProvider> MakeProvider(const std::string& name);
 
 /// CPU seconds of this process.
 inline double Seconds()

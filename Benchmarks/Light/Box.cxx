@@ -11,7 +11,6 @@
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraRayCaster.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
@@ -153,13 +152,14 @@ void MeasureBox(LightBenchmark& benchmark)
     caster->SetIndirectLight(true);
     caster->SetAlbedo(Albedo);
     caster->SetBounces(Bounces);
-    caster->SetIrradianceProvider(vtkNew<vtkPenumbraIrradianceCache>());
+    caster->SetIrradianceProvider(MakeProvider(benchmark.Provider));
     caster->SetNumberOfThreads(1);
     const double start = Seconds();
     caster->Update();
     const double seconds = Seconds() - start;
     const auto count = [&](const char* name) {
-      return caster->GetStatistics()->GetArray(name)->GetComponent(0, 0);
+      vtkDataArray* counted = caster->GetStatistics()->GetArray(name);
+      return counted ? counted->GetComponent(0, 0) : 0.0;
     };
     const BoxErrors errors =
       FindErrors(reference, caster->GetOutput()->GetPointData()->GetArray("Color"));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ambient occlusion of images at the default settings: accuracy of the tiles of 16 x 16 pixels, of
-// their estimated errors, and cost.
+// Ambient occlusion and indirect light of images at the default settings: accuracy of the tiles of
+// 16 x 16 pixels, of their estimated errors, and cost.
 #include "Benchmark.h"
 #include "OcclusionTruth.h"
 #include "Scenes/AccuracyScenes.h"
@@ -14,13 +14,12 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkLight.h"
 #include "vtkMinimalStandardRandomSequence.h"
 #include "vtkNew.h"
 #include "vtkPLYReader.h"
 #include "vtkParametricBoy.h"
 #include "vtkParametricFunctionSource.h"
-#include "vtkPenumbraBruteForceIrradiance.h"
-#include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraRayCaster.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -162,39 +161,42 @@ std::vector<OcclusionMesh> MakeMeshes()
     { "soup", MakeAdversaryMesh("Soup", 3000) } };
 }
 
-struct OcclusionImage
+struct LightImage
 {
   double Seconds = 0.0;
-  double Rays = 0.0; ///< occlusion rays
+  double Rays = 0.0; ///< of the light
   std::vector<float> Values;
   std::vector<float> Errors;
 };
 
-OcclusionImage Cast(vtkRenderer* renderer, const int size[2], double tolerance, bool occlusion,
+enum class Effect
+{
+  None,
+  Occlusion,
+  Sun,     ///< and its shadows
+  Indirect ///< light of a sun and a white sky
+};
+
+LightImage Cast(vtkRenderer* renderer, const int size[2], double tolerance, Effect effect,
   const std::string& provider, bool keep)
 {
   vtkNew<vtkPenumbraRayCaster> caster;
   caster->SetRenderer(renderer);
   caster->SetResolution(size[0], size[1]);
   caster->SetTolerance(tolerance);
-  caster->SetAmbientOcclusion(occlusion);
+  caster->SetAmbientOcclusion(effect == Effect::Occlusion);
+  caster->SetShadows(effect == Effect::Sun || effect == Effect::Indirect);
+  caster->SetIndirectLight(effect == Effect::Indirect);
+  caster->SetEnvironmentColor(1.0, 1.0, 1.0);
+  caster->SetBounces(1);
   caster->SetNumberOfThreads(1);
   caster->SetGlobalWarningDisplay(0);
-  if (provider == "cache")
-  {
-    caster->SetIrradianceProvider(vtkNew<vtkPenumbraIrradianceCache>());
-  }
-  else
-  {
-    vtkNew<vtkPenumbraBruteForceIrradiance> rays;
-    rays->SetJoinPixels(provider != "brute-force");
-    caster->SetIrradianceProvider(rays);
-  }
+  caster->SetIrradianceProvider(MakeProvider(provider));
   const double start = Seconds();
   caster->Update();
-  OcclusionImage image;
+  LightImage image;
   image.Seconds = Seconds() - start;
-  for (const char* name : { "Rays/Occlusion", "Rays/Gather" })
+  for (const char* name : { "Rays/Occlusion", "Rays/Indirect", "Rays/Gather" })
   {
     vtkDataArray* rays = caster->GetStatistics()->GetArray(name);
     image.Rays += rays ? rays->GetComponent(0, 0) : 0.0;
@@ -227,7 +229,7 @@ struct TileFractions
 };
 
 TileFractions CompareTiles(
-  const OcclusionImage& image, const ReferenceOcclusion& truth, const int size[2], double tolerance)
+  const LightImage& image, const ReferenceLight& truth, const int size[2], double tolerance)
 {
   TileFractions result;
   double squares = 0.0;
@@ -300,7 +302,20 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(vtkPolyData* mesh, const OcclusionMesh
 
 }
 
-void MeasureOcclusion(LightBenchmark& benchmark)
+namespace
+{
+
+void AddSun(vtkRenderer* renderer, const double* direction)
+{
+  vtkNew<vtkLight> sun;
+  sun->SetLightTypeToSceneLight();
+  sun->SetPosition(direction[0], direction[1], direction[2]);
+  sun->SetFocalPoint(0.0, 0.0, 0.0);
+  renderer->AddLight(sun);
+}
+
+/// Measures occlusion, or indirect light.
+void MeasureMeshes(LightBenchmark& benchmark, bool isIndirect)
 {
   const int width = benchmark.Width.empty() ? 500 : std::atoi(benchmark.Width.c_str());
   const int size[2] = { width, width * 3 / 5 };
@@ -322,16 +337,29 @@ void MeasureOcclusion(LightBenchmark& benchmark)
       continue;
     }
     const vtkSmartPointer<vtkPolyData> mesh = shown.Make(benchmark.Data);
-    const vtkSmartPointer<vtkRenderer> unlit = MakeRenderer(mesh, shown, false);
     const vtkSmartPointer<vtkRenderer> lit = MakeRenderer(mesh, shown, true);
-    const ReferenceOcclusion truth =
-      FindOcclusionTruth(unlit, size[0], size[1], FindDefaultRadius(unlit),
-        benchmark.Output + "/" + shown.Name + "-" + std::to_string(width) + ".truth");
-    const double plain = Cast(lit, size, tolerance, false, provider, false).Seconds;
-    const double occluded = Cast(lit, size, tolerance, true, provider, false).Seconds;
-    const OcclusionImage image = Cast(unlit, size, tolerance, true, provider, true);
-    WriteFloats(benchmark.Output + "/" + shown.Name + ".values", image.Values);
-    WriteFloats(benchmark.Output + "/" + shown.Name + ".errors", image.Errors);
+    ReferenceSettings settings{ 0.0, { 0.48, 0.6, 0.64 } };
+    vtkSmartPointer<vtkRenderer> measured = lit;
+    if (isIndirect)
+    {
+      AddSun(lit, settings.Sun);
+    }
+    else
+    {
+      measured = MakeRenderer(mesh, shown, false);
+      settings.Radius = FindDefaultRadius(measured);
+    }
+    const std::string file = benchmark.Output + "/" + shown.Name + (isIndirect ? "-indirect" : "");
+    const ReferenceLight truth = FindLightTruth(
+      measured, size[0], size[1], settings, file + "-" + std::to_string(width) + ".truth");
+    const Effect effect = isIndirect ? Effect::Indirect : Effect::Occlusion;
+    const double plain =
+      Cast(lit, size, tolerance, isIndirect ? Effect::Sun : Effect::None, provider, false).Seconds;
+    const LightImage image = Cast(measured, size, tolerance, effect, provider, true);
+    const double occluded =
+      isIndirect ? image.Seconds : Cast(lit, size, tolerance, effect, provider, false).Seconds;
+    WriteFloats(file + ".values", image.Values);
+    WriteFloats(file + ".errors", image.Errors);
     const TileFractions tiles = CompareTiles(image, truth, size, limit);
     double covered = 0.0;
     for (const float value : truth.Coverage)
@@ -343,13 +371,26 @@ void MeasureOcclusion(LightBenchmark& benchmark)
       tiles.Above, tiles.False, tiles.Missed);
     std::fflush(stdout);
     ResultTable& table = benchmark.Results;
-    const std::string row = "occlusion, " + shown.Name;
+    const std::string row = (isIndirect ? "indirect light, " : "occlusion, ") + shown.Name;
     table.Add(row, "tiles above the tolerance, %", tiles.Above, TargetKind::AtMost, 2.0);
     table.Add(row, "tiles falsely reported, %", tiles.False, TargetKind::AtMost, 2.0);
     table.Add(row, "tiles above with a low estimate, %", tiles.Missed, TargetKind::AtMost, 2.0);
     table.Add(row, "rays per covered pixel", image.Rays / covered, TargetKind::None);
-    table.Add(row, "time over that without occlusion", occluded / plain, TargetKind::AtMost, 3.0);
+    table.Add(row, isIndirect ? "time over that without it" : "time over that without occlusion",
+      occluded / plain, TargetKind::AtMost, 3.0);
   }
+}
+
+}
+
+void MeasureOcclusion(LightBenchmark& benchmark)
+{
+  MeasureMeshes(benchmark, false);
+}
+
+void MeasureIndirect(LightBenchmark& benchmark)
+{
+  MeasureMeshes(benchmark, true);
 }
 
 }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <random>
 
 namespace penumbra
@@ -20,9 +21,9 @@ namespace
 {
 
 constexpr int PacketSize = 16;
-/// Camera rays per pixel and estimate: a square grid; and occlusion rays per camera ray.
+/// Camera rays per pixel and estimate: a square grid; and rays over the hemisphere per camera ray.
 constexpr int CameraSide = 8;
-constexpr int OcclusionRays = 8;
+constexpr int HemisphereRays = 8;
 
 Scene Extract(vtkRenderer* renderer, int width, int height)
 {
@@ -34,12 +35,12 @@ Scene Extract(vtkRenderer* renderer, int width, int height)
 }
 
 template <typename Visit>
-bool VisitArrays(ReferenceOcclusion& truth, const Visit& visit)
+bool VisitArrays(ReferenceLight& truth, const Visit& visit)
 {
   return visit(truth.Means[0]) && visit(truth.Means[1]) && visit(truth.Coverage);
 }
 
-bool Read(const std::string& file, std::size_t pixels, ReferenceOcclusion& truth)
+bool Read(const std::string& file, std::size_t pixels, ReferenceLight& truth)
 {
   std::ifstream stream(file, std::ios::binary);
   return VisitArrays(truth, [&](std::vector<float>& values) {
@@ -50,13 +51,15 @@ bool Read(const std::string& file, std::size_t pixels, ReferenceOcclusion& truth
   });
 }
 
-/// Traces the camera rays of one estimate of a pixel, and occlusion rays from their hits.
+/// Traces the camera rays of one estimate of a pixel, and rays from their hits.
 class PixelTracer
 {
 public:
-  PixelTracer(const RayScene& rays, float radius, std::uint32_t seed)
+  PixelTracer(const RayScene& rays, const ReferenceSettings& settings, std::uint32_t seed)
     : Rays(rays),
-      Radius(radius),
+      Radius(static_cast<float>(settings.Radius * rays.GetScene().Scale)),
+      Sun(settings.Sun[0], settings.Sun[1], settings.Sun[2]),
+      Albedo(settings.Albedo),
       Generator(seed)
   {
   }
@@ -65,7 +68,7 @@ public:
   {
     const Camera& camera = this->Rays.GetScene().ViewCamera;
     const auto near = static_cast<float>(std::max(camera.Near - camera.DepthOfRayOrigins(), 0.0));
-    double open = 0.0;
+    double light = 0.0;
     int covered = 0;
     for (int first = 0; first < CameraSide * CameraSide; first += PacketSize)
     {
@@ -86,43 +89,77 @@ public:
         if (hits[i].IsHit())
         {
           ++covered;
-          open += this->TraceOpenness(packet[i], hits[i]);
+          light += this->TraceLight(packet[i], hits[i]);
         }
       }
     }
     constexpr double Count = CameraSide * CameraSide;
     coverage += static_cast<float>(0.5 * covered / Count);
-    return static_cast<float>(open / Count);
+    return static_cast<float>(light / Count);
   }
 
 private:
   double Random() { return this->Generator() * 0x1p-32; }
 
-  double TraceOpenness(const Ray& ray, const Hit& hit)
+  SurfaceNormals FindNormals(const Ray& ray, const Hit& hit) const
   {
     glm::dvec3 geometric = glm::normalize(glm::dvec3(this->Rays.GetNormal(ray, hit)));
     geometric *= glm::dot(geometric, glm::dvec3(ray.Direction)) > 0.0 ? -1.0 : 1.0;
-    const SurfaceNormals normals(this->Rays.GetSmoothNormal(hit, geometric), glm::vec3(geometric));
+    return { this->Rays.GetSmoothNormal(hit, geometric), glm::vec3(geometric) };
+  }
+
+  double TraceSun(const Ray& ray, const Hit& hit) const
+  {
+    const SurfaceNormals normals = this->FindNormals(ray, hit);
+    const double cosine = glm::dot(normals.Shading, this->Sun);
+    if (!(cosine > 0.0))
+    {
+      return 0.0;
+    }
+    const glm::vec3 point = ray.Origin + hit.Distance * ray.Direction;
+    Ray shadow;
+    shadow.Origin = point + RayOriginOffset(point) * normals.Geometric;
+    shadow.Direction = this->Sun;
+    return this->Rays.Intersect(shadow).IsHit() ? 0.0 : cosine;
+  }
+
+  double TraceLight(const Ray& ray, const Hit& hit)
+  {
+    const SurfaceNormals normals = this->FindNormals(ray, hit);
     const glm::mat3 frame = FrameFromNormal(normals.Shading);
     const glm::vec3 point = ray.Origin + hit.Distance * ray.Direction;
     Ray rays[PacketSize];
-    bool occluded[PacketSize];
     const double turn = this->Random();
     for (int i = 0; i < PacketSize; ++i)
     {
-      const double square = (i + this->Random()) / OcclusionRays;
+      const double square = (i + this->Random()) / HemisphereRays;
       const double angle = 6.283185307179586 * (i * 0.6180339887498949 + turn);
       const glm::vec2 disk(std::sqrt(square) * glm::dvec2(std::cos(angle), std::sin(angle)));
       rays[i].Origin = point + RayOriginOffset(point) * normals.Geometric;
       rays[i].Direction = normals.ReflectAbove(frame * DiskToHemisphere(disk));
-      rays[i].Far = i < OcclusionRays ? this->Radius : -1.f;
+      const float end = this->Radius > 0.f ? this->Radius : std::numeric_limits<float>::infinity();
+      rays[i].Far = i < HemisphereRays ? end : -1.f;
     }
-    this->Rays.Occluded16(rays, occluded);
-    return 1.0 - std::count(occluded, occluded + OcclusionRays, true) / double(OcclusionRays);
+    if (this->Radius > 0.f)
+    {
+      bool occluded[PacketSize];
+      this->Rays.Occluded16(rays, occluded);
+      return 1.0 - std::count(occluded, occluded + HemisphereRays, true) / double(HemisphereRays);
+    }
+    Hit hits[PacketSize];
+    this->Rays.Intersect16(rays, hits);
+    double sum = 0.0;
+    for (int i = 0; i < HemisphereRays; ++i)
+    {
+      sum += hits[i].IsHit() ? this->TraceSun(rays[i], hits[i]) : 1.0;
+    }
+    return this->TraceSun(ray, hit) + this->Albedo * sum / HemisphereRays;
   }
 
   const RayScene& Rays;
   float Radius;
+  glm::vec3 Sun;
+  double Albedo;
   std::mt19937 Generator;
 };
 
@@ -133,11 +170,11 @@ double FindDefaultRadius(vtkRenderer* renderer)
   return DefaultRadiusFraction * ComputeSceneDiagonal(Extract(renderer, 64, 64));
 }
 
-ReferenceOcclusion FindOcclusionTruth(
-  vtkRenderer* renderer, int width, int height, double radius, const std::string& file)
+ReferenceLight FindLightTruth(vtkRenderer* renderer, int width, int height,
+  const ReferenceSettings& settings, const std::string& file)
 {
   const std::size_t pixels = static_cast<std::size_t>(width) * height;
-  ReferenceOcclusion truth;
+  ReferenceLight truth;
   if (!file.empty() && Read(file, pixels, truth))
   {
     return truth;
@@ -149,7 +186,7 @@ ReferenceOcclusion FindOcclusionTruth(
     return true;
   });
   ParallelFor<int>(0, height, 1, [&](int y) {
-    PixelTracer tracer(rays, static_cast<float>(radius * scene.Scale), 1234u + y);
+    PixelTracer tracer(rays, settings, 1234u + y);
     for (int x = 0; x < width; ++x)
     {
       const std::size_t i = static_cast<std::size_t>(y) * width + x;

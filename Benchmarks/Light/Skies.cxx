@@ -10,7 +10,6 @@
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraIrradianceFilter.h"
 #include "vtkPenumbraRayCaster.h"
 #include "vtkPointData.h"
@@ -110,11 +109,12 @@ std::vector<glm::dvec3> Multiply(const std::vector<glm::dvec3>& white, glm::dvec
   return values;
 }
 
-/// Casts an image with indirect light from the cache and compares the pixels that show a single surface
+/// Casts an image with indirect light and compares the pixels that show a single surface
 /// with `exact`, irradiance over pi at `queried`. The sky is scaled to a mean radiance of 1.
-void MeasureImage(ResultTable& table, const std::string& row, vtkRenderer* renderer,
-  const RayScene& rays, const MeasuredSky& sky, const std::vector<ImagePoint>& queried,
-  const std::vector<glm::dvec3>& exact, double& whiteSeconds)
+void MeasureImage(ResultTable& table, const std::string& provider, const std::string& row,
+  vtkRenderer* renderer, const RayScene& rays, const MeasuredSky& sky,
+  const std::vector<ImagePoint>& queried, const std::vector<glm::dvec3>& exact,
+  double& whiteSeconds)
 {
   const IlluminationSettings settings = MakeIlluminationSettings(sky);
   vtkNew<vtkPenumbraRayCaster> caster;
@@ -131,7 +131,7 @@ void MeasureImage(ResultTable& table, const std::string& row, vtkRenderer* rende
   }
   caster->SetAlbedo(settings.Albedo);
   caster->SetBounces(settings.Bounces);
-  caster->SetIrradianceProvider(vtkNew<vtkPenumbraIrradianceCache>());
+  caster->SetIrradianceProvider(MakeProvider(provider));
   caster->SetNumberOfThreads(1);
   const double start = Seconds();
   caster->Update();
@@ -162,8 +162,9 @@ void MeasureImage(ResultTable& table, const std::string& row, vtkRenderer* rende
 }
 
 void MeasureScene(
-  ResultTable& table, const std::string& name, const Scene& scene, vtkRenderer* renderer)
+  LightBenchmark& benchmark, const std::string& name, const Scene& scene, vtkRenderer* renderer)
 {
+  ResultTable& table = benchmark.Results;
   const RayScene rays(scene, 1);
   double whiteImageSeconds = 0.0;
   const std::vector<ImagePoint> points = FindImagePoints(rays, 1);
@@ -197,7 +198,8 @@ void MeasureScene(
     AddCosts(table, row, cost, whiteCost);
     if (sky.Environment || sky.Name == "white sky")
     {
-      MeasureImage(table, row, renderer, rays, sky, queried, exact, whiteImageSeconds);
+      MeasureImage(benchmark.Results, benchmark.Provider, row, renderer, rays, sky, queried, exact,
+        whiteImageSeconds);
     }
   }
 }
@@ -264,8 +266,8 @@ std::vector<glm::dvec3> BakeSky(
 void MeasureSkies(LightBenchmark& benchmark)
 {
   const vtkSmartPointer<vtkPolyData> head = ReadHead(benchmark);
-  MeasureScene(benchmark.Results, "boxes", MakeBoxScene(), MakeBoxRenderer());
-  MeasureScene(benchmark.Results, "head", MakeHeadScene(head), MakeHeadRenderer(head));
+  MeasureScene(benchmark, "boxes", MakeBoxScene(), MakeBoxRenderer());
+  MeasureScene(benchmark, "head", MakeHeadScene(head), MakeHeadRenderer(head));
 }
 
 void MeasureBakedSkies(LightBenchmark& benchmark)

@@ -6,6 +6,9 @@
 #include "Benchmark.h"
 #include "Program.h"
 
+#include "vtkNew.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
+#include "vtkPenumbraIrradianceCache.h"
 #include "vtkSMPTools.h"
 
 #include <cstdio>
@@ -20,6 +23,17 @@ std::string Brief(double value)
   return text;
 }
 
+vtkSmartPointer<vtkPenumbraIrradianceProvider> MakeProvider(const std::string& name)
+{
+  if (name == "cache")
+  {
+    return vtkSmartPointer<vtkPenumbraIrradianceCache>::New();
+  }
+  vtkNew<vtkPenumbraBruteForceIrradiance> rays;
+  rays->SetJoinPixels(name != "brute-force");
+  return rays;
+}
+
 }
 
 int main(int argc, char** argv)
@@ -31,13 +45,14 @@ int main(int argc, char** argv)
   program.Title = "Light: measurements and targets";
   program.Usage = "--data FOLDER --output FOLDER [--povray PROGRAM] [--width N] [--mesh NAME] "
                   "[--inverse-tolerance N] [--provider brute-force|cache] [--only "
-                  "occlusion|skies|baking|emitters|box|panes|penumbrae|povray]";
+                  "occlusion|indirect|skies|baking|emitters|box|panes|penumbrae|povray]";
   program.Values = { { "--data", &benchmark.Data, true }, { "--output", &benchmark.Output, true },
     { "--povray", &benchmark.PovRay }, { "--width", &benchmark.Width },
     { "--mesh", &benchmark.Mesh }, { "--inverse-tolerance", &benchmark.InverseTolerance },
     { "--provider", &benchmark.Provider } };
   program.Parts = {
     { "occlusion", [&] { MeasureOcclusion(benchmark); } },
+    { "indirect", [&] { MeasureIndirect(benchmark); } },
     { "skies", [&] { MeasureSkies(benchmark); } },
     { "baking", [&] { MeasureBakedSkies(benchmark); } },
     { "emitters", [&] { MeasureEmitters(benchmark); } },

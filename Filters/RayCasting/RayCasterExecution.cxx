@@ -5,7 +5,7 @@
 #include "Conventions/Statistics.h"
 #include "Image/GeometryArrays.h"
 #include "Image/LayerCompositing.h"
-#include "Light/OcclusionRays.h"
+#include "Light/LightRays.h"
 #include "Media/MediumExtraction.h"
 #include "PhaseTimer.h"
 #include "SceneBounds.h"
@@ -58,8 +58,12 @@ void AddLayerRays(vtkFieldData* layer, vtkFieldData* statistics)
 
 }
 
-bool vtkPenumbraRayCaster::Internals::BeginProvider(
-  vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer)
+double vtkPenumbraRayCaster::Internals::ComputeIrradianceTolerance(vtkPenumbraRayCaster* self)
+{
+  return SampleToleranceFactor * self->GetEffectiveLightTolerance() * vtkMath::Pi() / self->Albedo;
+}
+
+bool vtkPenumbraRayCaster::Internals::BeginProvider(vtkPenumbraRayCaster* self)
 {
   const double noise = SampleToleranceFactor * self->GetEffectiveLightTolerance();
   const OcclusionSettings settings = this->FindOcclusion(self);
@@ -78,10 +82,7 @@ bool vtkPenumbraRayCaster::Internals::BeginProvider(
     }
     done = phaseFraction;
   }
-  if (settings.On && !this->JoinsPixels(self))
-  {
-    tracer.SetOcclusion(this->IrradianceProvider, settings.Strength, noise);
-  }
+  this->Light.reset();
   if (self->IndirectLight && self->Albedo > 0.0)
   {
     const double* color = self->EnvironmentColor;
@@ -91,15 +92,45 @@ bool vtkPenumbraRayCaster::Internals::BeginProvider(
     light.Albedo = static_cast<float>(self->Albedo);
     light.Bounces = self->Bounces;
     light.Shadows = self->GetShadows();
-    const penumbra::Illumination illumination(*this->Prepared->Rays, light);
+    this->Light = std::make_shared<const penumbra::Illumination>(*this->Prepared->Rays, light);
     this->WarnOnce(self,
-      penumbra::DescribeMissingLight(*this->Prepared->Rays, self->GetShadows(), &illumination));
-    // The image contains Albedo / pi of the irradiance.
-    const double tolerance = noise * vtkMath::Pi() / self->Albedo;
-    tracer.SetIndirectLight(this->IrradianceProvider, light.Albedo, tolerance);
-    return this->IrradianceProvider->BeginIrradiance(illumination, tolerance, progress);
+      penumbra::DescribeMissingLight(*this->Prepared->Rays, self->GetShadows(), &*this->Light));
+    return this->IrradianceProvider->BeginIrradiance(
+      *this->Light, this->ComputeIrradianceTolerance(self), progress);
   }
   return true;
+}
+
+void vtkPenumbraRayCaster::Internals::UseProvider(
+  vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer) const
+{
+  const OcclusionSettings settings = this->FindOcclusion(self);
+  if (settings.On)
+  {
+    tracer.SetOcclusion(this->IrradianceProvider, settings.Strength,
+      SampleToleranceFactor * self->GetEffectiveLightTolerance());
+  }
+  if (this->Light)
+  {
+    tracer.SetIndirectLight(this->IrradianceProvider, this->Light->GetSettings().Albedo,
+      this->ComputeIrradianceTolerance(self));
+  }
+}
+
+std::shared_ptr<const penumbra::LightEffects> vtkPenumbraRayCaster::Internals::MakeLightEffects(
+  vtkPenumbraRayCaster* self) const
+{
+  auto effects = std::make_shared<penumbra::LightEffects>();
+  effects->Tolerance = self->GetEffectiveLightTolerance();
+  effects->Light = this->Light;
+  if (this->FindOcclusion(self).On)
+  {
+    effects->Occlusion.emplace(*this->Prepared->Rays,
+      penumbra::DistanceFalloff::InScene(this->FindOcclusionRadius(self),
+        self->AmbientOcclusionFalloff, this->Prepared->SceneData.Scale),
+      effects->Tolerance);
+  }
+  return effects;
 }
 
 std::unique_ptr<vtkPenumbraRayCaster::Internals::Execution>
@@ -118,12 +149,23 @@ vtkPenumbraRayCaster::Internals::BeginExecution(vtkPenumbraRayCaster* self)
   penumbra::RenderSettings& settings = execution->Settings;
   settings = MakeSettings(self);
   execution->Joins = this->JoinsPixels(self);
-  tracer.SetOcclusionStrength(this->FindOcclusion(self).Strength);
   execution->UsesProvider = self->GetAmbientOcclusion() || self->IndirectLight ||
     (self->GeometryArrays && self->OcclusionArray);
-  if (execution->UsesProvider && !this->BeginProvider(self, tracer))
+  if (execution->UsesProvider && !this->BeginProvider(self))
   {
     return nullptr;
+  }
+  if (execution->Joins)
+  {
+    const OcclusionSettings occlusion = this->FindOcclusion(self);
+    settings.Light = this->MakeLightEffects(self);
+    settings.KeepsOcclusion = occlusion.On && self->GeometryArrays && self->OcclusionArray;
+    tracer.SetLayerLight(occlusion.On, occlusion.Strength);
+    shading.SetUniformLight(glm::vec3(settings.Light->GetUniformLight()));
+  }
+  else if (execution->UsesProvider)
+  {
+    this->UseProvider(self, tracer);
   }
   if (self->GetShadows() && !self->IndirectLight)
   {
@@ -142,15 +184,6 @@ vtkPenumbraRayCaster::Internals::BeginExecution(vtkPenumbraRayCaster* self)
   if (shafts || shading.HasPenumbrae())
   {
     settings.Integration.LightTolerance = lightTolerance;
-  }
-  if (execution->Joins)
-  {
-    settings.Occlusion = std::make_shared<penumbra::OcclusionRays>(*this->Prepared->Rays,
-      penumbra::DistanceFalloff::InScene(
-        this->FindOcclusionRadius(self), self->AmbientOcclusionFalloff, scene.Scale),
-      lightTolerance);
-    settings.OcclusionTolerance = lightTolerance;
-    settings.KeepsOcclusion = self->GeometryArrays && self->OcclusionArray;
   }
   penumbra::IntegrationSettings& limits = execution->Limits;
   limits = settings.Integration;
@@ -207,8 +240,8 @@ bool vtkPenumbraRayCaster::Internals::FinishExecution(vtkPenumbraRayCaster* self
   {
     if (execution.Joins)
     {
-      tracer.SetOcclusion(this->IrradianceProvider, this->FindOcclusion(self).Strength,
-        SampleToleranceFactor * lightTolerance);
+      execution.Lit.SetUniformLight(glm::vec3(0.f));
+      this->UseProvider(self, tracer);
     }
     this->InspectImage(tracer, this->Prepared->Edges);
   }
@@ -221,8 +254,9 @@ bool vtkPenumbraRayCaster::Internals::FinishExecution(vtkPenumbraRayCaster* self
   }
   if (self->GeometryArrays)
   {
-    tracer.SetOcclusion(
-      self->OcclusionArray && !execution.Joins ? this->IrradianceProvider.Get() : nullptr,
+    tracer.SetOcclusion(self->OcclusionArray && !execution.Settings.KeepsOcclusion
+        ? this->IrradianceProvider.Get()
+        : nullptr,
       self->AmbientOcclusionStrength, SampleToleranceFactor * lightTolerance);
     const auto geometry = [self](double done) {
       return ReportProgress(self, 1.0 - GeometryProgress + GeometryProgress * done);

@@ -280,9 +280,9 @@ double vtkPenumbraRayCaster::Internals::FindOcclusionRadius(vtkPenumbraRayCaster
     : penumbra::DefaultRadiusFraction * penumbra::ComputeSceneDiagonal(this->Prepared->SceneData);
 }
 
-// Occlusion does not act on indirect light and on the light of a medium.
+// Occlusion does not act on the light of a medium.
 bool vtkPenumbraRayCaster::Internals::JoinsPixels(vtkPenumbraRayCaster* self) const
 {
   return this->IrradianceProvider->JoinsPixels() && self->CoverageMethod != UNIFORM &&
-    this->FindOcclusion(self).On && !self->IndirectLight && !this->Medium;
+    (this->FindOcclusion(self).On || (self->IndirectLight && self->Albedo > 0.0)) && !this->Medium;
 }

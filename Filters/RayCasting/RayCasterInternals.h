@@ -10,6 +10,7 @@
 #include "Execution/WorkLimit.h"
 #include "Image/ImageRenderer.h"
 #include "Import/SceneExtraction.h"
+#include "Light/LightRays.h"
 #include "LightSizes.h"
 #include "PhaseTimer.h"
 #include "Scene.h"
@@ -75,6 +76,8 @@ struct vtkPenumbraRayCaster::Internals
   std::optional<bool> AmbientOcclusion; ///< if not set, as Renderer
   vtkSmartPointer<vtkPenumbraIrradianceProvider> IrradianceProvider =
     vtkSmartPointer<vtkPenumbraBruteForceIrradiance>::New();
+  std::shared_ptr<const penumbra::Illumination>
+    Light; ///< of the current image; null: no indirect light
   vtkSmartPointer<vtkPenumbraMedium> Medium;
   vtkSmartPointer<vtkPenumbraEnvironment> Environment;
   penumbra::LightSizes SizedLights;
@@ -141,10 +144,15 @@ struct vtkPenumbraRayCaster::Internals
   double ComputeElapsedSeconds() const;
   /// Returns the time limit of the rest of the execution, or null if there is none.
   std::unique_ptr<penumbra::WorkLimit> MakeLimit(vtkPenumbraRayCaster* self) const;
+  /// Returns the tolerance of the irradiance at a sample. The image contains Albedo / pi of it.
+  static double ComputeIrradianceTolerance(vtkPenumbraRayCaster* self);
   double FindOcclusionRadius(vtkPenumbraRayCaster* self) const;
-  /// Returns true if the occlusion is estimated for all pixels together, without a provider.
+  /// Returns true if occlusion and indirect light are estimated for all pixels together, without a provider.
   bool JoinsPixels(vtkPenumbraRayCaster* self) const;
-  bool BeginProvider(vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer);
+  bool BeginProvider(vtkPenumbraRayCaster* self);
+  /// Lights the samples of `tracer` by the provider.
+  void UseProvider(vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer) const;
+  std::shared_ptr<const penumbra::LightEffects> MakeLightEffects(vtkPenumbraRayCaster* self) const;
   void Report(const penumbra::ImageTotals& totals, vtkIdType pixels);
   void ReportLimit(
     const penumbra::ImageTotals& totals, const penumbra::ToleranceReport& tolerances, bool isEnded);

@@ -53,8 +53,8 @@ public:
 
   ///@{
   /**
-   * If on, images estimate their ambient occlusion for all pixels together, which takes far fewer rays,
-   * unless there is indirect light or a medium. If off, each point is estimated alone. Default: on.
+   * If on, images estimate their ambient occlusion and indirect light for all pixels together, which takes
+   * far fewer rays, unless there is a medium. If off, each point is estimated alone. Default: on.
    */
   vtkSetMacro(JoinPixels, bool);
   vtkGetMacro(JoinPixels, bool);

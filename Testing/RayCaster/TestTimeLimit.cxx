@@ -8,7 +8,7 @@
 #include "Embree/RayScene.h"
 #include "Image/RegionRenderer.h"
 #include "Import/SceneExtraction.h"
-#include "Light/OcclusionRays.h"
+#include "Light/LightRays.h"
 #include "Scene.h"
 #include "Shading/Shading.h"
 #include "Surface.h"
@@ -247,10 +247,12 @@ public:
   {
     if (occlusion)
     {
-      this->Settings.Occlusion = std::make_shared<OcclusionRays>(
-        this->Rays, DistanceFalloff::InScene(1.0, 0, this->Extracted.Scale), 0.01);
-      this->Settings.OcclusionTolerance = 0.01;
-      this->Tracer.SetOcclusionStrength(1.0);
+      auto effects = std::make_shared<LightEffects>();
+      effects->Tolerance = 0.01;
+      effects->Occlusion.emplace(
+        this->Rays, DistanceFalloff::InScene(1.0, 0, this->Extracted.Scale), effects->Tolerance);
+      this->Settings.Light = effects;
+      this->Tracer.SetLayerLight(true, 1.0);
     }
     this->Edges = FindSceneEdges(this->Extracted, this->Settings);
   }

@@ -19,8 +19,8 @@ namespace
 
 /// Distance between the rays in pixels.
 constexpr int Spacing = 8;
-/// Number of occlusion rays from each layer, a multiple of the size of packets.
-constexpr std::uint32_t OcclusionRaysOfLayer = 32;
+/// Number of rays of light from each layer, a multiple of the size of packets.
+constexpr std::uint32_t RaysOfLayer = 32;
 /// Part of the squared deviation of a node from its neighbors that is expected as the squared error
 /// between nodes: in the same cell, and on average over the region, for objects that no ray hits.
 constexpr float LocalDeviation = 0.25f;
@@ -38,39 +38,72 @@ float MaximumComponent(const glm::vec4& v)
   return std::max({ v.x, v.y, v.z, v.w });
 }
 
-/// Returns the mean occlusion of a layer.
-float EstimateOcclusion(const OcclusionRays& source, const OccludedLayer& layer, RayCounts& counts)
+/// Returns the light of a layer.
+template <int N>
+typename LightTerms<N>::Value EstimateLight(
+  const LightRays<N>& source, const LitLayer& layer, RayCounts& counts)
 {
+  constexpr int Size = LightRays<N>::PacketSize;
   const OwenSobolSequence sequence(HashPoint(layer.Position, layer.Normal));
   const SurfaceNormals normals(layer.Normal, layer.Geometric);
   const glm::mat3 frame = FrameFromNormal(layer.Normal);
-  float sum = 0.f;
-  for (std::uint32_t first = 0; first < OcclusionRaysOfLayer; first += OcclusionRays::PacketSize)
+  typename LightTerms<N>::Value sum(0.f);
+  for (std::uint32_t first = 0; first < RaysOfLayer; first += Size)
   {
-    Ray rays[OcclusionRays::PacketSize];
-    float values[OcclusionRays::PacketSize];
-    for (std::uint32_t i = 0; i < OcclusionRays::PacketSize; ++i)
+    Ray rays[Size];
+    typename LightRays<N>::Start starts[Size];
+    typename LightTerms<N>::Value values[Size];
+    for (std::uint32_t i = 0; i < Size; ++i)
     {
       const glm::vec2 at = sequence.At(first + i);
       rays[i].Origin = layer.Position + RayOriginOffset(layer.Position) * layer.Geometric;
       rays[i].Direction =
         normals.ReflectAbove(frame * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
       rays[i].Far = source.GetRadius();
+      starts[i] = { layer.Position, normals };
     }
-    source.Trace(rays, values, counts.Occlusion);
-    counts.Occlusion += OcclusionRays::PacketSize;
-    for (const float value : values)
+    long long traced = Size;
+    source.Trace(rays, starts, values, traced);
+    (LightTerms<N>::HasRadiance ? counts.Indirect : counts.Occlusion) += traced;
+    for (const auto& value : values)
     {
       sum += value;
     }
   }
-  return sum / static_cast<float>(OcclusionRaysOfLayer);
+  return sum / static_cast<float>(RaysOfLayer);
+}
+
+/// The light of several layers.
+struct LayerLight
+{
+  glm::vec3 Change{ 0.f }; ///< of the color
+  float Occlusion = 0.f;   ///< mean
+};
+
+template <int N>
+LayerLight EstimateLight(
+  const LightEffects& effects, const std::vector<LitLayer>& layers, RayCounts& counts)
+{
+  using Terms = LightTerms<N>;
+  const LightRays<N> source(effects);
+  LayerLight result;
+  for (const LitLayer& layer : layers)
+  {
+    const typename Terms::Value light = EstimateLight(source, layer, counts);
+    result.Change +=
+      Terms::ComputeChange(light, effects.GetUniformLight(), layer.Color, layer.Reflectance);
+    if constexpr (Terms::HasOcclusion)
+    {
+      result.Occlusion += light[0] / static_cast<float>(layers.size());
+    }
+  }
+  return result;
 }
 
 }
 
-CoarseImage::CoarseImage(const CameraRayTracer& tracer, const OcclusionRays* occlusion,
-  glm::ivec2 low, glm::ivec2 high, const ProgressCallback& progress, RayCounts& counts)
+CoarseImage::CoarseImage(const CameraRayTracer& tracer, const LightEffects* light, glm::ivec2 low,
+  glm::ivec2 high, const ProgressCallback& progress, RayCounts& counts)
   : Low(low / Spacing),
     Last(tracer.GetScene().ViewCamera.Width, tracer.GetScene().ViewCamera.Height),
     Count((high + Spacing - 1) / Spacing - this->Low + 1),
@@ -82,7 +115,7 @@ CoarseImage::CoarseImage(const CameraRayTracer& tracer, const OcclusionRays* occ
         (nodes + CameraRayTracer::PacketSize - 1) / CameraRayTracer::PacketSize, 0.0, 0.0, progress,
         [&](int packet) {
           RayCounts own;
-          this->TracePacket(tracer, occlusion, packet * CameraRayTracer::PacketSize, own);
+          this->TracePacket(tracer, light, packet * CameraRayTracer::PacketSize, own);
           const std::lock_guard<std::mutex> lock(totals);
           counts += own;
         }))
@@ -98,7 +131,7 @@ glm::ivec2 CoarseImage::GetPosition(glm::ivec2 node) const
 }
 
 void CoarseImage::TracePacket(
-  const CameraRayTracer& tracer, const OcclusionRays* occlusion, int first, RayCounts& counts)
+  const CameraRayTracer& tracer, const LightEffects* light, int first, RayCounts& counts)
 {
   constexpr int Size = CameraRayTracer::PacketSize;
   const int count = std::min(static_cast<int>(this->Nodes.size()) - first, Size);
@@ -110,23 +143,25 @@ void CoarseImage::TracePacket(
     const int node = first + std::min(i, count - 1);
     points[i] = glm::dvec2(this->GetPosition({ node % this->Count.x, node / this->Count.x }));
   }
-  std::vector<OccludedLayer> layers[Size];
-  occlusion ? tracer.TraceLayers(points, active, active, samples, layers, counts)
-            : tracer.TracePacket(points, active, samples, counts);
+  std::vector<LitLayer> layers[Size];
+  light ? tracer.TraceLayers(points, active, active, samples, layers, counts)
+        : tracer.TracePacket(points, active, samples, counts);
   counts.Auxiliary += count;
   for (int i = 0; i < count; ++i)
   {
     Node& node = this->Nodes[first + i];
     node.Color = samples[i].Color;
-    glm::vec3 removed(0.f);
-    for (const OccludedLayer& layer : layers[i])
+    if (!light || layers[i].empty())
     {
-      removed += EstimateOcclusion(*occlusion, layer, counts) * layer.Color;
+      continue;
     }
+    const LayerLight own = light->Select(
+      [&](auto values) { return EstimateLight<values()>(*light, layers[i], counts); });
+    node.Occlusion = own.Occlusion;
     for (int c = 0; c < 3; ++c)
     {
       node.Factor[c] =
-        node.Color[c] > 0.f ? std::clamp(1.f - removed[c] / node.Color[c], 0.f, 1.f) : 1.f;
+        node.Color[c] > 0.f ? std::max(1.f + own.Change[c] / node.Color[c], 0.f) : 1.f;
     }
   }
 }
@@ -183,6 +218,7 @@ CoarseImage::Value CoarseImage::At(int x, int y) const
     const float weight = ((i & 1) ? u.x : 1.f - u.x) * ((i >> 1) ? u.y : 1.f - u.y);
     value.Color += weight * node.Color;
     value.Factor += weight * node.Factor;
+    value.Occlusion += weight * node.Occlusion;
     least = glm::min(least, node.Color);
     most = glm::max(most, node.Color);
     deviation += 0.25f * node.Deviation;

@@ -7,7 +7,7 @@
 #define penumbra_CoarseImage_h
 
 #include "Execution/ParallelFor.h"
-#include "Light/OcclusionRays.h"
+#include "Light/LightRays.h"
 #include "Sampling/CameraRayTracer.h"
 
 #include <vector>
@@ -18,18 +18,19 @@ namespace penumbra
 class CoarseImage
 {
 public:
-  /// Traces the rays for the pixels [low, high), and rays for the ambient occlusion at their hits if
-  /// `occlusion` is not null. Throws Stopped if `progress` requests a stop.
-  CoarseImage(const CameraRayTracer& tracer, const OcclusionRays* occlusion, glm::ivec2 low,
+  /// Traces the rays for the pixels [low, high), and rays for the light at their hits if `light` is not
+  /// null. Throws Stopped if `progress` requests a stop.
+  CoarseImage(const CameraRayTracer& tracer, const LightEffects* light, glm::ivec2 low,
     glm::ivec2 high, const ProgressCallback& progress, RayCounts& counts);
 
   /// Values that are interpolated between rays, and their estimated errors.
   struct Value
   {
-    glm::vec4 Color{ 0.f }; ///< premultiplied by alpha, without ambient occlusion
+    glm::vec4 Color{ 0.f }; ///< premultiplied by alpha, without the light
     float Error = 0.f;
-    glm::vec3 Factor{ 1.f }; ///< of ambient occlusion
+    glm::vec3 Factor{ 1.f }; ///< of the light
     float FactorError = 0.f; ///< estimated error of the color that it causes
+    float Occlusion = 0.f;   ///< mean of the surfaces
   };
   Value At(int x, int y) const;
 
@@ -38,6 +39,7 @@ private:
   {
     glm::vec4 Color{ 0.f };
     glm::vec3 Factor{ 1.f };
+    float Occlusion = 0.f;
     float Deviation = 0.f;       ///< squared, of the color from its neighbors
     float FactorDeviation = 0.f; ///< the same of the factor
   };
@@ -48,7 +50,7 @@ private:
     return this->Nodes[static_cast<std::size_t>(node.y) * this->Count.x + node.x];
   }
   void TracePacket(
-    const CameraRayTracer& tracer, const OcclusionRays* occlusion, int first, RayCounts& counts);
+    const CameraRayTracer& tracer, const LightEffects* light, int first, RayCounts& counts);
   void FindDeviations();
 
   glm::ivec2 Low;   ///< index of the first node in the whole image

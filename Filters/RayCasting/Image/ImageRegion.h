@@ -8,7 +8,7 @@
 #include "Coverage/PixelIntegrator.h"
 #include "Edges/MeshEdges.h"
 #include "Execution/ParallelFor.h"
-#include "Light/OcclusionRays.h"
+#include "Light/LightRays.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
 #include <functional>
@@ -22,9 +22,7 @@ namespace penumbra
 struct RenderSettings
 {
   IntegrationSettings Integration;
-  std::shared_ptr<const OcclusionRays>
-    Occlusion; ///< null: none beside that of the camera ray tracer
-  double OcclusionTolerance = 0.0;
+  std::shared_ptr<const LightEffects> Light; ///< null: none beside that of the camera ray tracer
   bool KeepsOcclusion = false; ///< if on, the region stores the mean occlusion of each pixel
   bool UsePackets = true;      ///< If on, trace corner rays in packets of 16.
   WorkLimit* Limit = nullptr;  ///< ends the work on a region early; null: none
@@ -33,7 +31,7 @@ struct RenderSettings
   std::function<void()> UpdateEdges;
 
   /// Returns true if light effects add an error of their own.
-  bool HasLightErrors() const { return this->Integration.LightTolerance > 0.0 || this->Occlusion; }
+  bool HasLightErrors() const { return this->Integration.LightTolerance > 0.0 || this->Light; }
 };
 
 /// Mesh edges of a scene at which the image may be discontinuous. They are computed once for all

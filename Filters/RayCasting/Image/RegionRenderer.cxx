@@ -37,13 +37,15 @@ double SumSquares(const ImageRegion& region, const RegionTiles::Rectangle& pixel
   return sum;
 }
 
-/// Multiplies the color of a pixel by a factor of ambient occlusion.
-void ApplyFactor(glm::vec3 factor, float error, std::size_t index, ImageRegion& region)
+/// Multiplies the color of a pixel by a factor of its light.
+void Apply(const LightField::Change& change, std::size_t index, ImageRegion& region)
 {
   glm::vec4& color = region.Colors[index];
-  color = glm::vec4(factor * glm::vec3(color), color.a);
-  region.Errors[index] = std::hypot(region.Errors[index], error);
-  region.LightErrors[index] = std::hypot(region.LightErrors[index], error);
+  const glm::vec3& factor = change.Factor;
+  color = glm::vec4(glm::max(factor * glm::vec3(color) + change.Offset, glm::vec3(0.f)), color.a);
+  const float scale = std::max({ 1.f, factor.r, factor.g, factor.b }); // of other errors
+  region.Errors[index] = std::hypot(scale * region.Errors[index], change.Error);
+  region.LightErrors[index] = std::hypot(scale * region.LightErrors[index], change.Error);
 }
 
 }
@@ -56,7 +58,7 @@ RegionRenderer::RegionRenderer(const CameraRayTracer& tracer, const SceneEdges& 
     Edges(sceneEdges),
     Settings(settings),
     UsesCorners(settings.Integration.Method != IntegrationSettings::Methods::Uniform),
-    Ends(!settings.Occlusion ? Schedule{ 0.4, 0.4, 1.0 } : Schedule{ 0.16, 0.28, 0.52 }),
+    Ends(!settings.Light ? Schedule{ 0.4, 0.4, 1.0 } : Schedule{ 0.16, 0.28, 0.52 }),
     Grid(glm::max(low - 1, 0),
       glm::min(high + 1,
         glm::ivec2(tracer.GetScene().ViewCamera.Width, tracer.GetScene().ViewCamera.Height)),
@@ -71,10 +73,9 @@ RegionRenderer::RegionRenderer(const CameraRayTracer& tracer, const SceneEdges& 
   this->Region.RaysPerPixel.resize(pixels);
   this->Traced.assign(UsesCorners ? this->Grid.GetNumberOfStrips() : 0, 0);
   this->Resolved.assign(tracer.GetShading().HasPenumbrae() ? this->Traced.size() : 0, 0);
-  if (settings.Occlusion)
+  if (settings.Light)
   {
-    this->Field = std::make_unique<OcclusionField>(
-      tracer, *settings.Occlusion, settings.OcclusionTolerance, low, high);
+    this->Field = LightField::Make(tracer, *settings.Light, low, high);
   }
 }
 
@@ -85,7 +86,7 @@ bool RegionRenderer::Run(const ProgressCallback& progress)
   WorkLimit* const limit = this->Settings.Limit;
   if (limit && !this->Coarse)
   {
-    this->Coarse = std::make_unique<CoarseImage>(this->Tracer, this->Settings.Occlusion.get(),
+    this->Coarse = std::make_unique<CoarseImage>(this->Tracer, this->Settings.Light.get(),
       this->Region.Low, this->Region.High, progress, this->Region.Rays);
   }
   if (!this->AreCornersComplete)
@@ -280,7 +281,7 @@ ImageRegion RegionRenderer::TakeResult()
   return region;
 }
 
-// Multiplies the colors by the factors of the ambient occlusion.
+// Applies the changes by the light.
 void RegionRenderer::Complete(ImageRegion& region) const
 {
   region.Unfinished = this->Tiles
@@ -298,18 +299,17 @@ void RegionRenderer::Complete(ImageRegion& region) const
       const std::size_t index = region.Index(x, y);
       if (this->Field->HasSites())
       {
-        const OcclusionField::Factor factor = this->Field->At(x, y);
-        ApplyFactor(factor.Value, factor.Error, index, region);
+        Apply(this->Field->At(x, y), index, region);
       }
       else
       {
         const CoarseImage::Value value = this->Coarse->At(x, y);
-        ApplyFactor(value.Factor, value.FactorError, index, region);
+        Apply({ value.Factor, glm::vec3(0.f), value.FactorError }, index, region);
       }
       if (!region.Occlusions.empty())
       {
-        region.Occlusions[index] = this->Field->HasSites() ? this->Field->GetMean(x, y)
-                                                           : 1.f - this->Coarse->At(x, y).Factor.g;
+        region.Occlusions[index] = this->Field->HasSites() ? this->Field->GetMeanOcclusion(x, y)
+                                                           : this->Coarse->At(x, y).Occlusion;
       }
     }
   }

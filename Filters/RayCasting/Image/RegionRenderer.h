@@ -8,7 +8,7 @@
 
 #include "CoarseImage.h"
 #include "ImageRegion.h"
-#include "Light/OcclusionField.h"
+#include "Light/LightField.h"
 #include "RegionTiles.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
@@ -65,10 +65,10 @@ private:
   const RenderSettings Settings;
   const bool UsesCorners;
   const Schedule Ends;
-  ImageRegion Region; ///< without ambient occlusion
+  ImageRegion Region; ///< without the light of Field
   CornerGrid Grid;
   std::unique_ptr<CoarseImage> Coarse;
-  std::unique_ptr<OcclusionField> Field;
+  std::unique_ptr<LightField> Field;
   std::unique_ptr<RegionTiles> Tiles;
   std::vector<char> Traced;    ///< flags of the strips of the grid
   std::vector<char> Resolved;  ///< the same for penumbrae

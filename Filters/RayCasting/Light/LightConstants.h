@@ -33,6 +33,9 @@ constexpr float SameSiteSlope = 0.35f;
 constexpr std::uint32_t PartSamples = 32;
 /// Squared error of these parts, relative to the squared difference between both halves of the samples.
 constexpr float PartVarianceGain = 0.125f;
+/// Variance of the colors of a pixel, relative to 1 + their squared mean, below which changes are rather in
+/// proportion to the color.
+constexpr float PartRidge = 0.01f;
 
 // --- Rays ---
 

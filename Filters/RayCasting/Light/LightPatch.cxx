@@ -14,14 +14,16 @@ namespace
 
 constexpr int Count = LightFeatures::Count;
 
-float Square(float x)
+template <typename T>
+T Square(const T& x)
 {
   return x * x;
 }
 
 } // namespace
 
-void LightPatch::Add(const LightSite& site, float part)
+template <int N>
+void LightPatch<N>::Add(const LightSite<N>& site, float part)
 {
   LightPatch single;
   float inverse = 0.f;
@@ -42,7 +44,8 @@ void LightPatch::Add(const LightSite& site, float part)
   this->Add(single, 1.f);
 }
 
-void LightPatch::Add(const LightPatch& other, float weight)
+template <int N>
+void LightPatch<N>::Add(const LightPatch& other, float weight)
 {
   const float added = weight * other.Weight;
   const float sum = this->Weight + added;
@@ -64,7 +67,7 @@ void LightPatch::Add(const LightPatch& other, float weight)
   }
   for (int v = 0; v < Halves; ++v)
   {
-    const float difference = other.Means[v] - this->Means[v];
+    const Value difference = other.Means[v] - this->Means[v];
     for (int i = 0; i < Count; ++i)
     {
       this->Cross[v][i] += weight * other.Cross[v][i] + spread * difference * d[i];
@@ -84,7 +87,8 @@ void LightPatch::Add(const LightPatch& other, float weight)
   this->Layer = other.Layer;
 }
 
-bool LightPatch::Matches(const LightPatch& other) const
+template <int N>
+bool LightPatch<N>::Matches(const LightPatch& other) const
 {
   const glm::vec3 a = this->Mean.GetNormal();
   const glm::vec3 b = other.Mean.GetNormal();
@@ -100,7 +104,8 @@ bool LightPatch::Matches(const LightPatch& other) const
     offset, normal, SamePatchHeight * std::max(this->Footprint, other.Footprint), SamePatchSlope);
 }
 
-void LightModel::Fit(const LightPatch& window, int side)
+template <int N>
+void LightModel<N>::Fit(const LightPatch<N>& window, int side, const Value& squaredRange)
 {
   this->Mean = window.Mean;
   const float position = 1.f / (PositionUnit * static_cast<float>(side) * window.Footprint);
@@ -142,10 +147,10 @@ void LightModel::Fit(const LightPatch& window, int side)
   }
   for (int v = 0; v < Halves; ++v)
   {
-    float solution[Count];
+    Value solution[Count];
     for (int i = 0; i < Count; ++i)
     {
-      float sum = window.Cross[v][i] * units[i];
+      Value sum = window.Cross[v][i] * units[i];
       for (int m = 0; m < i; ++m)
       {
         sum -= factor[i][m] * solution[m];
@@ -154,7 +159,7 @@ void LightModel::Fit(const LightPatch& window, int side)
     }
     for (int i = Count - 1; i >= 0; --i)
     {
-      float sum = solution[i];
+      Value sum = solution[i];
       for (int m = i + 1; m < Count; ++m)
       {
         sum -= factor[m][i] * solution[m];
@@ -164,9 +169,16 @@ void LightModel::Fit(const LightPatch& window, int side)
     }
     this->Means[v] = window.Means[v];
   }
-  const float variance = window.GetVariance();
+  const Value variance = window.GetVariance(squaredRange);
   const float effective = Square(window.Weight) / window.SquaredWeight;
   this->Variance = WindowVarianceGain * variance * (1.f + 0.5f * freedom) / effective;
 }
+
+template struct LightPatch<1>;
+template struct LightPatch<3>;
+template struct LightPatch<4>;
+template struct LightModel<1>;
+template struct LightModel<3>;
+template struct LightModel<4>;
 
 } // namespace penumbra

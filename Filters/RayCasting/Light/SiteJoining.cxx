@@ -18,25 +18,27 @@ namespace
 constexpr std::uint32_t None = 0xffffffffu;
 constexpr int Neighbors = 9; ///< blocks of a window, row by row; the central one is the fifth
 
-float Square(float x)
+template <typename T>
+T Square(const T& x)
 {
   return x * x;
 }
 
 /// The patches of one level, with their windows and models.
+template <int N>
 struct Level
 {
   int Side = 1; ///< of a block, in cells
   glm::ivec2 Blocks{ 0 };
   std::vector<std::uint32_t> Begin; ///< first patch of each block, and their number
-  std::vector<LightPatch> Patches;
+  std::vector<LightPatch<N>> Patches;
   std::vector<std::uint32_t> Parents; ///< patch of the next level
   struct Window
   {
     std::uint32_t Patches[Neighbors]; ///< that match the central one, or None
   };
   std::vector<Window> Windows;
-  std::vector<LightModel> Models;
+  std::vector<LightModel<N>> Models;
 
   int GetNumberOfBlocks() const { return this->Blocks.x * this->Blocks.y; }
 };
@@ -49,9 +51,10 @@ struct Blend
   float Weights[4];
   int Count = 0;
 
-  Blend(const Level& level, std::uint32_t patch, glm::ivec2 cell)
+  template <int N>
+  Blend(const Level<N>& level, std::uint32_t patch, glm::ivec2 cell)
   {
-    const Level::Window& window = level.Windows[patch];
+    const typename Level<N>::Window& window = level.Windows[patch];
     int step[2];
     float beside[2];
     for (int axis = 0; axis < 2; ++axis)
@@ -82,13 +85,16 @@ struct Blend
   }
 };
 
+template <int N>
 class SiteJoining
 {
-  using Patch = LightPatch;
-  using Model = LightModel;
+  using Value = typename LightTerms<N>::Value;
+  using Patch = LightPatch<N>;
+  using Model = LightModel<N>;
+  using Level = penumbra::Level<N>;
 
 public:
-  explicit SiteJoining(SiteGrid& grid)
+  explicit SiteJoining(SiteGrid<N>& grid)
     : Grid(grid)
   {
   }
@@ -110,7 +116,7 @@ public:
     ParallelFor(
       0, this->Levels[0].GetNumberOfBlocks(), 64, [&](int block) { this->CompareSites(block); });
     this->PoolBias();
-    this->Grid.Patches.assign(count, SitePatch());
+    this->Grid.Patches.assign(count, SitePatch<N>());
     ParallelFor<std::uint32_t>(0, count, 256, [&](std::uint32_t p) { this->Combine(p); });
   }
 
@@ -119,18 +125,19 @@ private:
   /// the sites alone.
   struct PatchEstimates
   {
-    float Values[LightLevels][Halves];
-    float Variances[LightLevels + 1]; ///< the first one: of the sites alone
+    Value Values[LightLevels][Halves];
+    Value Variances[LightLevels + 1]; ///< the first one: of the sites alone
     float SiteWeight = 0.f;
-    float SiteChanges =
-      0.f; ///< weighted sum of the products of the changes from the sites to the first level
+    Value SiteChanges{
+      0.f
+    }; ///< weighted sum of the products of the changes from the sites to the first level
   };
   /// Squared changes of the estimates of a patch between levels; the first one: from the sites alone.
   struct Changes
   {
     float Weights[LightLevels] = {}; ///< in pixels
-    float Sums[LightLevels] = {};
-    float Variances[LightLevels] = {};
+    Value Sums[LightLevels] = {};
+    Value Variances[LightLevels] = {};
 
     void Add(const Changes& other, float weight)
     {
@@ -146,7 +153,7 @@ private:
   /// Estimated squared change from each level to the next; after PoolBias(): from the sites alone.
   struct PatchBias
   {
-    float Squares[LightLevels] = {};
+    Value Squares[LightLevels] = {};
 
     PatchBias() = default;
 
@@ -156,29 +163,33 @@ private:
     {
       for (int l = LightLevels - 1; l >= 0; --l)
       {
-        const float found = changes.Sums[l] / changes.Weights[l];
+        const Value found = changes.Sums[l] / changes.Weights[l];
         const float units = changes.Weights[l] / static_cast<float>(l == 0 ? 1 : 4 << (2 * l - 2));
-        const float noise = 2.f * changes.Variances[l] / changes.Weights[l] / std::sqrt(units);
-        const float expected = this->Expect(l, region);
-        const float spread = std::max(expected, found - noise);
-        const float certainty = Square(spread) / (Square(spread) + Square(noise) + 1e-20f);
-        this->Squares[l] = std::max(expected + certainty * (found - expected), 0.f) +
-          BiasCaution * std::sqrt(certainty) * noise;
+        const Value noise = 2.f * changes.Variances[l] / changes.Weights[l] / std::sqrt(units);
+        const Value expected = this->Expect(l, region);
+        const Value spread = glm::max(expected, found - noise);
+        const Value certainty = Square(spread) / (Square(spread) + Square(noise) + 1e-20f);
+        this->Squares[l] = glm::max(expected + certainty * (found - expected), Value(0.f)) +
+          BiasCaution * glm::sqrt(certainty) * noise;
       }
     }
 
   private:
-    float Expect(int level, const PatchBias* region) const
+    Value Expect(int level, const PatchBias* region) const
     {
       if (level + 1 == LightLevels)
       {
-        return 0.f;
+        return Value(0.f);
       }
-      const float* const squares = region ? region->Squares + level : this->Squares + level + 1;
-      const bool isKnown = (region || level + 2 < LightLevels) && squares[1] > 0.f;
-      const float ratio = isKnown
-        ? std::clamp(squares[0] / squares[1], region ? 0.f : SmallestBiasRatio, LargestBiasRatio)
-        : LargestBiasRatio;
+      const Value* const squares = region ? region->Squares + level : this->Squares + level + 1;
+      const float smallest = region ? 0.f : SmallestBiasRatio;
+      Value ratio(LargestBiasRatio);
+      for (int i = 0; i < N && (region || level + 2 < LightLevels); ++i)
+      {
+        ratio[i] = squares[1][i] > 0.f
+          ? std::clamp(squares[0][i] / squares[1][i], smallest, LargestBiasRatio)
+          : LargestBiasRatio;
+      }
       return ratio * this->Squares[level + 1];
     }
   };
@@ -311,7 +322,7 @@ private:
             sum.Add(level.Patches[match], (step.x == 0 ? 1.f : 0.5f) * (step.y == 0 ? 1.f : 0.5f));
           }
         }
-        level.Models[p].Fit(sum, level.Side);
+        level.Models[p].Fit(sum, level.Side, this->Grid.SquaredRange);
       }
     });
   }
@@ -346,9 +357,9 @@ private:
     {
       const Level& level = this->Levels[l];
       const Blend blend(level, parent, this->Cells[p]);
-      float* const values = estimates.Values[l];
-      std::fill(values, values + Halves, 0.f);
-      float variance = 0.f;
+      Value* const values = estimates.Values[l];
+      std::fill(values, values + Halves, Value(0.f));
+      Value variance(0.f);
       for (int k = 0; k < blend.Count; ++k)
       {
         const Model& model = level.Models[blend.Patches[k]];
@@ -359,8 +370,8 @@ private:
       if (l == BiasLevel - 1)
       {
         const Patch& pool = level.Patches[parent];
-        estimates.Variances[0] =
-          AloneVarianceGain * pool.GetVariance() * patch.Parts / patch.Weight;
+        estimates.Variances[0] = AloneVarianceGain * pool.GetVariance(this->Grid.SquaredRange) *
+          patch.Parts / patch.Weight;
       }
       parent = l + 1 < LightLevels ? level.Parents[parent] : parent;
     }
@@ -379,9 +390,9 @@ private:
         this->Grid.Pixels[this->Grid.GetCell(first.x + i % level.Side, first.y + i / level.Side)];
       for (std::uint32_t k = pixel.Begin; k < pixel.Begin + pixel.Sites; ++k)
       {
-        const LightSite& site = this->Grid.Sites[k];
+        const LightSite<N>& site = this->Grid.Sites[k];
         const Blend blend(level, site.Patch, this->Cells[site.Patch]);
-        float values[Halves] = {};
+        Value values[Halves] = {};
         for (int n = 0; n < blend.Count; ++n)
         {
           level.Models[blend.Patches[n]].Evaluate(
@@ -490,7 +501,8 @@ private:
     const Patch& patch = this->Levels[0].Patches[p];
     const float part = patch.Parts / patch.Sites;
     const float factor = 1.f + PartialSiteBias * (1.f - part);
-    float errors[LightLevels + 1];
+    Value errors[LightLevels + 1];
+    float combined[LightLevels + 1];
     float weights[LightLevels + 1];
     float smallest = std::numeric_limits<float>::max();
     for (int l = 0; l <= LightLevels; ++l)
@@ -500,16 +512,17 @@ private:
       {
         errors[l] += factor * pool.Weights[k] * this->Bias[pool.Patches[k]].Squares[l - 1];
       }
-      errors[l] = std::max(errors[l], SmallestSquaredError);
-      smallest = std::min(smallest, errors[l]);
+      errors[l] = glm::max(errors[l], Value(SmallestSquaredError));
+      combined[l] = LightTerms<N>::Combine(errors[l]);
+      smallest = std::min(smallest, combined[l]);
     }
     float sum = 0.f;
     for (int l = 0; l <= LightLevels; ++l)
     {
-      weights[l] = Square(Square(smallest / errors[l]));
+      weights[l] = Square(Square(smallest / combined[l]));
       sum += weights[l];
     }
-    SitePatch& result = this->Grid.Patches[p];
+    SitePatch<N>& result = this->Grid.Patches[p];
     result.Mean = patch.Mean;
     result.AloneWeight = weights[0] / sum;
     result.SquaredError = result.AloneWeight * errors[0];
@@ -533,7 +546,7 @@ private:
     }
   }
 
-  SiteGrid& Grid;
+  SiteGrid<N>& Grid;
   std::vector<glm::u8vec2> Cells; ///< per patch of the first level: first cell
                                   ///< of its block, in its tile
   std::vector<PatchEstimates> Estimates;
@@ -550,9 +563,14 @@ int GetJoiningReach()
   return (3 << LightLevels) + ((2 + BiasRegion) << BiasLevel);
 }
 
-void JoinSites(SiteGrid& grid)
+template <int N>
+void JoinSites(SiteGrid<N>& grid)
 {
-  SiteJoining(grid).Run();
+  SiteJoining<N>(grid).Run();
 }
+
+template void JoinSites(SiteGrid<1>&);
+template void JoinSites(SiteGrid<3>&);
+template void JoinSites(SiteGrid<4>&);
 
 } // namespace penumbra

@@ -15,7 +15,8 @@ namespace penumbra
 int GetJoiningReach();
 
 /// Computes the joined estimates of all sites.
-void JoinSites(SiteGrid& grid);
+template <int N>
+void JoinSites(SiteGrid<N>& grid);
 
 } // namespace penumbra
 #endif

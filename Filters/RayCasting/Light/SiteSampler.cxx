@@ -24,19 +24,25 @@ constexpr float OtherLayerDistance = 4.f;
 
 /// Replaces the layers behind the first ones by one of them with their color. `random` in [0, 1) chooses it
 /// with probabilities in proportion to their colors.
-void MergeLayers(std::vector<OccludedLayer>& layers, float random)
+template <int N>
+void MergeLayers(std::vector<LitLayer>& layers, float random)
 {
+  const auto weigh = [](glm::vec3 color, glm::vec3 reflectance) {
+    const glm::vec3 part = N == 1 ? color : N == 3 ? reflectance : color + reflectance;
+    return part.r + part.g + part.b;
+  };
   glm::vec3 color(0.f);
+  glm::vec3 reflectance(0.f);
   for (std::size_t i = MaximumSiteLayers; i < layers.size(); ++i)
   {
     color += layers[i].Color;
+    reflectance += layers[i].Reflectance;
   }
-  float rest = random * (color.r + color.g + color.b);
+  float rest = random * weigh(color, reflectance);
   std::size_t chosen = MaximumSiteLayers;
   for (; chosen + 1 < layers.size(); ++chosen)
   {
-    const glm::vec3 own = layers[chosen].Color;
-    rest -= own.r + own.g + own.b;
+    rest -= weigh(layers[chosen].Color, layers[chosen].Reflectance);
     if (rest < 0.f)
     {
       break;
@@ -44,6 +50,7 @@ void MergeLayers(std::vector<OccludedLayer>& layers, float random)
   }
   layers[MaximumSiteLayers] = layers[chosen];
   layers[MaximumSiteLayers].Color = color;
+  layers[MaximumSiteLayers].Reflectance = reflectance;
   layers.resize(MaximumSiteLayers + 1);
 }
 
@@ -61,13 +68,15 @@ OwenSobolSequence MakeSequence(std::uint32_t seed, int half, Sequences kind)
 
 }
 
-SiteSampler::SiteSampler(const CameraRayTracer& tracer, const OcclusionRays& rays)
+template <int N>
+SiteSampler<N>::SiteSampler(const CameraRayTracer& tracer, const LightRays<N>& rays)
   : Tracer(tracer),
     Source(rays)
 {
 }
 
-glm::ivec2 SiteSampler::GetOffset(int cell)
+template <int N>
+glm::ivec2 SiteSampler<N>::GetOffset(int cell)
 {
   glm::ivec2 offset(0);
   for (int bit = 0; bit < 3; ++bit)
@@ -78,7 +87,8 @@ glm::ivec2 SiteSampler::GetOffset(int cell)
   return offset;
 }
 
-void SiteSampler::Begin(glm::ivec2 first)
+template <int N>
+void SiteSampler<N>::Begin(glm::ivec2 first)
 {
   const glm::ivec2 block = first / Side;
   this->First = first;
@@ -90,7 +100,8 @@ void SiteSampler::Begin(glm::ivec2 first)
 
 // The points of a pixel are consecutive points of the sequence of the block, those of all its pixels one
 // net. The same holds for the directions.
-void SiteSampler::AddRequests(
+template <int N>
+void SiteSampler<N>::AddRequests(
   int cell, std::uint32_t before, std::uint32_t from, std::uint32_t to, std::uint32_t added)
 {
   const Camera& camera = this->Tracer.GetScene().ViewCamera;
@@ -113,7 +124,8 @@ void SiteSampler::AddRequests(
 }
 
 // A block in which the first samples of all pixels show the background gets no further ones.
-void SiteSampler::FindSites(glm::ivec2 first)
+template <int N>
+void SiteSampler<N>::FindSites(glm::ivec2 first)
 {
   this->Begin(first);
   for (int cell = 0; cell < Cells; ++cell)
@@ -149,7 +161,8 @@ void SiteSampler::FindSites(glm::ivec2 first)
   this->Flush();
 }
 
-void SiteSampler::AddSamples(glm::ivec2 first, const SiteGrid& grid)
+template <int N>
+void SiteSampler<N>::AddSamples(glm::ivec2 first, const SiteGrid<N>& grid)
 {
   this->Begin(first);
   for (int cell = 0; cell < Cells; ++cell)
@@ -157,7 +170,7 @@ void SiteSampler::AddSamples(glm::ivec2 first, const SiteGrid& grid)
     const glm::ivec2 p = first + GetOffset(cell);
     LightPixel& pixel = this->Pixels[cell];
     pixel = grid.Pixels[grid.GetCell(p.x, p.y)];
-    const LightSite* const sites = grid.Sites.data() + pixel.Begin;
+    const LightSite<N>* const sites = grid.Sites.data() + pixel.Begin;
     this->Sites[cell].assign(sites, sites + pixel.Sites);
     // The number of samples doubles, or grows by half at the end.
     while (pixel.Traced < pixel.Target)
@@ -172,15 +185,17 @@ void SiteSampler::AddSamples(glm::ivec2 first, const SiteGrid& grid)
   this->Flush();
 }
 
-bool SiteSampler::IsComplex(int cell) const
+template <int N>
+bool SiteSampler<N>::IsComplex(int cell) const
 {
-  const std::vector<LightSite>& sites = this->Sites[cell];
+  const std::vector<LightSite<N>>& sites = this->Sites[cell];
   const LightPixel& pixel = this->Pixels[cell];
   const float samples = static_cast<float>(pixel.Samples[0]) + static_cast<float>(pixel.Samples[1]);
   return sites.size() > 1 || (sites.size() == 1 && sites[0].Samples != samples);
 }
 
-void SiteSampler::TraceRequests(bool createsSites)
+template <int N>
+void SiteSampler<N>::TraceRequests(bool createsSites)
 {
   const OwenSobolSequence sequences[Halves] = { MakeSequence(this->Seed, 0, PixelPositions),
     MakeSequence(this->Seed, 1, PixelPositions) };
@@ -207,24 +222,28 @@ void SiteSampler::TraceRequests(bool createsSites)
       LightPixel& pixel = this->Pixels[request.Cell];
       if (request.IsShaded)
       {
-        pixel.Colors[request.Half] += glm::vec3(samples[i].Color);
+        const glm::vec3 color(samples[i].Color);
+        pixel.Colors[request.Half] += color;
+        pixel.Squares += color * color;
         ++pixel.Samples[request.Half];
       }
-      std::vector<OccludedLayer>& layers = this->Layers[i];
+      std::vector<LitLayer>& layers = this->Layers[i];
       if (layers.size() > MaximumSiteLayers + 1)
       {
-        MergeLayers(layers, this->ChooseLayer(request));
+        MergeLayers<N>(layers, this->ChooseLayer(request));
       }
       for (std::size_t k = 0; k < layers.size(); ++k)
       {
-        this->AddLayer(request, layers[k], static_cast<std::uint16_t>(k), createsSites);
+        this->AddLayer(request, layers[k], static_cast<std::uint16_t>(k),
+          glm::vec3(samples[i].Color), createsSites);
       }
     }
   }
 }
 
 /// Returns a number in [0, 1); those of a half are stratified.
-float SiteSampler::ChooseLayer(const Request& request) const
+template <int N>
+float SiteSampler<N>::ChooseLayer(const Request& request) const
 {
   return MakeSequence(this->Seed, request.Half, MergedLayers)
     .At(OwenSobolSequence::ShuffleIndex(request.Index, this->Seed + Halves + request.Half))
@@ -232,14 +251,15 @@ float SiteSampler::ChooseLayer(const Request& request) const
 }
 
 // Every site gets a ray of each half.
-void SiteSampler::AddLayer(
-  const Request& request, const OccludedLayer& layer, std::uint16_t number, bool createsSites)
+template <int N>
+void SiteSampler<N>::AddLayer(const Request& request, const LitLayer& layer, std::uint16_t number,
+  glm::vec3 color, bool createsSites)
 {
   const Camera& camera = this->Tracer.GetScene().ViewCamera;
   const double depth = layer.Where.Distance + camera.DepthOfRayOrigins();
   const auto footprint = static_cast<float>(camera.PixelSize * (camera.Parallel ? 1.0 : depth));
-  std::vector<LightSite>& sites = this->Sites[request.Cell];
-  LightSite* site = this->FindSite(
+  std::vector<LightSite<N>>& sites = this->Sites[request.Cell];
+  LightSite<N>* site = this->FindSite(
     request.Cell, layer, number, footprint, !createsSites || sites.size() == MaximumSitesOfPixel);
   const bool isNew = !site;
   if (isNew)
@@ -253,7 +273,20 @@ void SiteSampler::AddLayer(
   site->Position += (layer.Position - site->Position) / site->Samples;
   site->Normal += (layer.Normal - site->Normal) / site->Samples;
   site->Footprint = std::max(site->Footprint, footprint);
-  site->Colors[request.Half] += request.IsShaded ? layer.Color : glm::vec3(0.f);
+  if (request.IsShaded)
+  {
+    using Terms = LightTerms<N>;
+    if constexpr (Terms::HasOcclusion)
+    {
+      site->Colors[Terms::OcclusionTerm][request.Half] += layer.Color;
+      site->Products[Terms::OcclusionTerm] += layer.Color * color;
+    }
+    if constexpr (Terms::HasRadiance)
+    {
+      site->Colors[Terms::RadianceTerm][request.Half] += layer.Reflectance;
+      site->Products[Terms::RadianceTerm] += layer.Reflectance * color;
+    }
+  }
   const auto index = static_cast<std::size_t>(site - sites.data());
   for (int half = 0; half < Halves; ++half)
   {
@@ -263,12 +296,13 @@ void SiteSampler::AddLayer(
 }
 
 /// Returns the site that a layer belongs to; if `mustFind`, the nearest one if there is none.
-LightSite* SiteSampler::FindSite(
-  int cell, const OccludedLayer& layer, std::uint16_t number, float footprint, bool mustFind)
+template <int N>
+LightSite<N>* SiteSampler<N>::FindSite(
+  int cell, const LitLayer& layer, std::uint16_t number, float footprint, bool mustFind)
 {
-  LightSite* nearest = nullptr;
+  LightSite<N>* nearest = nullptr;
   float smallest = std::numeric_limits<float>::max();
-  for (LightSite& site : this->Sites[cell])
+  for (LightSite<N>& site : this->Sites[cell])
   {
     const glm::vec3 normal = glm::normalize(site.Normal + layer.Normal);
     const glm::vec3 offset = layer.Position - site.Position;
@@ -289,8 +323,9 @@ LightSite* SiteSampler::FindSite(
   return nearest;
 }
 
-void SiteSampler::QueueRays(const Request& request, std::size_t site, int half, std::uint32_t count,
-  const OccludedLayer& layer)
+template <int N>
+void SiteSampler<N>::QueueRays(
+  const Request& request, std::size_t site, int half, std::uint32_t count, const LitLayer& layer)
 {
   if (count == 0)
   {
@@ -310,33 +345,42 @@ void SiteSampler::QueueRays(const Request& request, std::size_t site, int half, 
       normals.ReflectAbove(frame * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
     ray.Far = this->Source.GetRadius();
     this->Owners[this->Count] = { request.Cell, site, half };
-    ++this->LightRays;
-    if (++this->Count == OcclusionRays::PacketSize)
+    if constexpr (LightTerms<N>::HasRadiance)
+    {
+      this->Starts[this->Count] = { layer.Position, normals };
+    }
+    ++this->TracedRays;
+    if (++this->Count == LightRays<N>::PacketSize)
     {
       this->Flush();
     }
   }
 }
 
-void SiteSampler::Flush()
+template <int N>
+void SiteSampler<N>::Flush()
 {
   if (this->Count == 0)
   {
     return;
   }
-  for (int i = this->Count; i < OcclusionRays::PacketSize; ++i)
+  for (int i = this->Count; i < LightRays<N>::PacketSize; ++i)
   {
     this->Rays[i].Far = -1.f;
   }
-  float values[OcclusionRays::PacketSize];
-  this->Source.Trace(this->Rays, values, this->LightRays);
+  typename LightTerms<N>::Value values[LightRays<N>::PacketSize];
+  this->Source.Trace(this->Rays, this->Starts, values, this->TracedRays);
   for (int i = 0; i < this->Count; ++i)
   {
-    LightSite& site = this->Sites[this->Owners[i].Cell][this->Owners[i].Site];
+    LightSite<N>& site = this->Sites[this->Owners[i].Cell][this->Owners[i].Site];
     site.Sums[this->Owners[i].Half] += values[i];
     ++site.Rays[this->Owners[i].Half];
   }
   this->Count = 0;
 }
+
+template class SiteSampler<1>;
+template class SiteSampler<3>;
+template class SiteSampler<4>;
 
 }

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Finds the sites of the pixels of a block and traces occlusion rays from them. Every ray starts at a
+// Finds the sites of the pixels of a block and traces rays from them. Every ray starts at a
 // point of its own in the pixel, so that a site represents the mean of its pixel.
 #ifndef penumbra_SiteSampler_h
 #define penumbra_SiteSampler_h
 
 #include "LightConstants.h"
+#include "LightRays.h"
 #include "LightSite.h"
-#include "OcclusionRays.h"
 #include "Sampling/CameraRayTracer.h"
 
 #include <cstdint>
@@ -17,33 +17,34 @@
 namespace penumbra
 {
 
+template <int N>
 class SiteSampler
 {
 public:
   static constexpr int Side = DirectionBlockSide;
   static constexpr int Cells = Side * Side;
 
-  SiteSampler(const CameraRayTracer& tracer, const OcclusionRays& rays);
+  SiteSampler(const CameraRayTracer& tracer, const LightRays<N>& rays);
 
   /// Finds the sites of the pixels of the block whose lower left pixel is `first`, with FirstSiteRays
   /// rays in each.
   void FindSites(glm::ivec2 first);
 
   /// Adds samples to the pixels of the block, from `grid`, until each has its target.
-  void AddSamples(glm::ivec2 first, const SiteGrid& grid);
+  void AddSamples(glm::ivec2 first, const SiteGrid<N>& grid);
 
-  const std::vector<LightSite>& GetSites(int cell) const { return this->Sites[cell]; }
+  const std::vector<LightSite<N>>& GetSites(int cell) const { return this->Sites[cell]; }
   const LightPixel& GetPixel(int cell) const { return this->Pixels[cell]; }
 
   /// Returns the pixel of a cell relative to the first one of the block, in Morton order.
   static glm::ivec2 GetOffset(int cell);
 
   long long CameraRays = 0;
-  long long LightRays = 0;
+  long long TracedRays = 0;
   RayCounts Counts;
 
 private:
-  /// A camera ray, and the occlusion rays that start at its hits.
+  /// A camera ray, and the rays that start at its hits.
   struct Request
   {
     int Cell;
@@ -60,32 +61,33 @@ private:
     int cell, std::uint32_t before, std::uint32_t from, std::uint32_t to, std::uint32_t added);
   void TraceRequests(bool createsSites);
   float ChooseLayer(const Request& request) const;
-  void AddLayer(
-    const Request& request, const OccludedLayer& layer, std::uint16_t number, bool createsSites);
-  LightSite* FindSite(
-    int cell, const OccludedLayer& layer, std::uint16_t number, float footprint, bool mustFind);
-  void QueueRays(const Request& request, std::size_t site, int half, std::uint32_t count,
-    const OccludedLayer& layer);
+  void AddLayer(const Request& request, const LitLayer& layer, std::uint16_t number,
+    glm::vec3 color, bool createsSites);
+  LightSite<N>* FindSite(
+    int cell, const LitLayer& layer, std::uint16_t number, float footprint, bool mustFind);
+  void QueueRays(
+    const Request& request, std::size_t site, int half, std::uint32_t count, const LitLayer& layer);
   void Flush();
   bool IsComplex(int cell) const;
 
   const CameraRayTracer& Tracer;
-  const OcclusionRays& Source;
+  const LightRays<N>& Source;
   glm::ivec2 First{ 0 };
   std::uint32_t Seed = 0;
-  std::vector<LightSite> Sites[Cells];
+  std::vector<LightSite<N>> Sites[Cells];
   LightPixel Pixels[Cells];
   std::vector<Request> Requests;
-  std::vector<OccludedLayer> Layers[CameraRayTracer::PacketSize];
+  std::vector<LitLayer> Layers[CameraRayTracer::PacketSize];
 
-  Ray Rays[OcclusionRays::PacketSize];
+  Ray Rays[LightRays<N>::PacketSize];
+  typename LightRays<N>::Start Starts[LightRays<N>::PacketSize];
   struct RayOwner
   {
     int Cell;
     std::size_t Site;
     int Half;
   };
-  RayOwner Owners[OcclusionRays::PacketSize];
+  RayOwner Owners[LightRays<N>::PacketSize];
   int Count = 0;
 };
 

@@ -112,7 +112,7 @@ void CameraRayTracer::AddMedium(
 
 void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& sample,
   RayCounts& counts, double toleranceScale, std::uint32_t penumbrae,
-  std::vector<PenumbraNeighbors>* neighbors, std::vector<OccludedLayer>* layers) const
+  std::vector<PenumbraNeighbors>* neighbors, std::vector<LitLayer>* layers) const
 {
   if (neighbors)
   {
@@ -164,11 +164,14 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
       this->SurfaceShading.Shade(ray, hit, counts.Shadow, hasPenumbrae ? &lights : nullptr);
     glm::vec4 c = shaded.Color;
     c.a = edges.FindOpacity(surface, ray, hit, shaded);
-    if (layers && !surface.IsLineOrPoint && remaining * c.a > 0.f)
+    if (layers && this->IsLitLayer(surface) && remaining * c.a > 0.f)
     {
-      layers->push_back(this->MakeOccludedLayer(ray, hit, glm::dvec3(shaded.GeometricNormal)));
-      layers->back().Color =
-        this->Lighting.GetStrength(surface) * remaining * c.a * tint * glm::vec3(c);
+      layers->push_back(this->MakeLitLayer(ray, hit, glm::dvec3(shaded.GeometricNormal)));
+      LitLayer& lit = layers->back();
+      const glm::vec3 factor = remaining * c.a * tint;
+      lit.Reflectance = factor * shaded.Reflectance;
+      lit.Color = this->Lighting.GetStrength(surface) * remaining * c.a * tint *
+        (glm::vec3(c) - this->SurfaceShading.GetUniformLight() * shaded.Reflectance);
     }
     else if (!layers && this->UsesIrradianceProvider() && !surface.IsLineOrPoint)
     {
@@ -272,11 +275,15 @@ void CameraRayTracer::TracePacket(const glm::dvec2* points, unsigned int active,
   }
 }
 
-OccludedLayer CameraRayTracer::MakeOccludedLayer(
-  const Ray& ray, const Hit& hit, glm::dvec3 normal) const
+bool CameraRayTracer::IsLitLayer(const Surface& surface) const
+{
+  return !surface.IsLineOrPoint && (this->FindsUnlitLayers || surface.Front.Lighting);
+}
+
+LitLayer CameraRayTracer::MakeLitLayer(const Ray& ray, const Hit& hit, glm::dvec3 normal) const
 {
   const glm::dvec3 geometric = glm::normalize(normal);
-  OccludedLayer layer;
+  LitLayer layer;
   layer.Where = hit;
   layer.Position = ray.Origin + hit.Distance * ray.Direction;
   layer.Normal = glm::vec3(this->Rays.GetSmoothNormal(hit, geometric));
@@ -285,7 +292,7 @@ OccludedLayer CameraRayTracer::MakeOccludedLayer(
 }
 
 void CameraRayTracer::TraceLayers(const glm::dvec2* points, unsigned int active,
-  unsigned int shaded, Sample* samples, std::vector<OccludedLayer>* layers, RayCounts& counts) const
+  unsigned int shaded, Sample* samples, std::vector<LitLayer>* layers, RayCounts& counts) const
 {
   Ray rays[PacketSize];
   Hit hits[PacketSize];
@@ -308,11 +315,11 @@ void CameraRayTracer::TraceLayers(const glm::dvec2* points, unsigned int active,
     {
       this->CompositeLayers(points[i], rays[i], samples[i], counts, 1.0, 0, nullptr, &layers[i]);
     }
-    else
+    else if (this->IsLitLayer(this->GetScene().Surfaces[hits[i].Surface]))
     {
       const glm::dvec3 normal(this->Rays.GetNormal(rays[i], hits[i]));
       const bool isBehind = glm::dot(normal, glm::dvec3(rays[i].Direction)) > 0.0;
-      layers[i].push_back(this->MakeOccludedLayer(rays[i], hits[i], isBehind ? -normal : normal));
+      layers[i].push_back(this->MakeLitLayer(rays[i], hits[i], isBehind ? -normal : normal));
     }
   }
 }

@@ -41,14 +41,15 @@ struct LayerColor
   float Slope;     ///< see EdgeBlending
 };
 
-/// A layer of a camera ray on which ambient occlusion acts.
-struct OccludedLayer
+/// A layer of a camera ray on which ambient occlusion or indirect light act.
+struct LitLayer
 {
   Hit Where;
-  glm::vec3 Position{ 0.f };  ///< scene coordinates
-  glm::vec3 Normal{ 0.f };    ///< shading normal (unit) on the side of the camera
-  glm::vec3 Geometric{ 0.f }; ///< normal of the surface (unit) on the same side
-  glm::vec3 Color{ 0.f };     ///< part of the color of the ray that complete occlusion removes
+  glm::vec3 Position{ 0.f };    ///< scene coordinates
+  glm::vec3 Normal{ 0.f };      ///< shading normal (unit) on the side of the camera
+  glm::vec3 Geometric{ 0.f };   ///< normal of the surface (unit) on the same side
+  glm::vec3 Color{ 0.f };       ///< part of the color of the ray that complete occlusion removes
+  glm::vec3 Reflectance{ 0.f }; ///< color that indirect light adds to the ray: 1 on a white surface
 };
 
 /// Computes the color of image points. All methods but the setters may be called from any thread.
@@ -83,10 +84,10 @@ public:
     std::vector<PenumbraNeighbors>* neighbors = nullptr) const;
 
   /// TracePacket() without the occlusion and the irradiance of providers, and without a medium. Stores the
-  /// layers of each point on which occlusion acts, front to back, in `layers`. Points whose bit in
+  /// layers of each point on which light acts, front to back, in `layers`. Points whose bit in
   /// `shaded` is not set may get no colors.
   void TraceLayers(const glm::dvec2* points, unsigned int active, unsigned int shaded,
-    Sample* samples, std::vector<OccludedLayer>* layers, RayCounts& counts) const;
+    Sample* samples, std::vector<LitLayer>* layers, RayCounts& counts) const;
 
   /// Returns the first hit without shading it.
   Hit TraceFirstHit(glm::dvec2 p) const { return this->Rays.Intersect(this->MakeRay(p)); }
@@ -97,9 +98,11 @@ public:
   void SetOcclusion(
     const vtkPenumbraIrradianceProvider* provider, double strength, double tolerance);
 
-  /// Sets the strength for TraceLayers() alone.
-  void SetOcclusionStrength(double strength)
+  /// Sets the strength of occlusion for TraceLayers() alone. If `occlusion` is off, it finds the layers that
+  /// reflect light; otherwise also those without lighting.
+  void SetLayerLight(bool occlusion, double strength)
   {
+    this->FindsUnlitLayers = occlusion;
     this->Lighting.OcclusionStrength = static_cast<float>(strength);
   }
 
@@ -153,11 +156,13 @@ private:
     RayCounts& counts) const;
   void CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts,
     double toleranceScale, std::uint32_t penumbrae, std::vector<PenumbraNeighbors>* neighbors,
-    std::vector<OccludedLayer>* layers = nullptr) const;
+    std::vector<LitLayer>* layers = nullptr) const;
   /// Traces the first hits of a packet.
   void TraceHits(const glm::dvec2* points, unsigned int active, Ray* rays, Hit* hits) const;
+  /// Returns true if TraceLayers() finds the layers of a surface.
+  bool IsLitLayer(const Surface& surface) const;
   /// `normal`: of the surface, on the side of the camera.
-  OccludedLayer MakeOccludedLayer(const Ray& ray, const Hit& hit, glm::dvec3 normal) const;
+  LitLayer MakeLitLayer(const Ray& ray, const Hit& hit, glm::dvec3 normal) const;
 
   const RayScene& Rays;
   const Shading& SurfaceShading;
@@ -166,6 +171,7 @@ private:
   /// Order in which VTK draws each surface; empty if the distance alone decides.
   std::vector<LayerOrder::Kinds> Kinds;
   LayerLightingSettings Lighting;
+  bool FindsUnlitLayers = true;
   const LightShafts* Shafts = nullptr;
   double PenumbraTolerance = 0.0;
 };

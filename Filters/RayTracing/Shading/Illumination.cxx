@@ -318,6 +318,12 @@ glm::vec3 Illumination::TracePath(glm::vec3 point, const SurfaceNormals& normals
   const Ray ray = SpawnRay(point, normals,
     FrameFromNormal(normals.Shading) * DiskToHemisphere(SampleUniformDiskConcentric(u, v)));
   ++rays;
+  return this->FollowPath(ray, this->Rays.Intersect(ray), point, normals, bounces, random, rays);
+}
+
+glm::vec3 Illumination::FollowPath(const Ray& ray, const Hit& hit, glm::vec3 point,
+  const SurfaceNormals& normals, int bounces, std::uint32_t& random, long long& rays) const
+{
   IrradianceFunction irradiance;
   if (bounces > 1)
   {
@@ -326,8 +332,7 @@ glm::vec3 Illumination::TracePath(glm::vec3 point, const SurfaceNormals& normals
     };
   }
   const glm::vec3 sampled = this->SampleLights(point, normals, random, rays);
-  return sampled +
-    this->IncidentRadiance(ray, this->Rays.Intersect(ray), normals.Shading, irradiance, rays);
+  return sampled + this->IncidentRadiance(ray, hit, normals.Shading, irradiance, rays);
 }
 
 }

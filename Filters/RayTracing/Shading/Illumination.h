@@ -79,6 +79,10 @@ public:
   glm::vec3 TracePath(glm::vec3 point, const SurfaceNormals& normals, int bounces,
     std::uint32_t& random, long long& rays) const;
 
+  /// TracePath() whose first ray is `ray`, distributed by the cosine to `normals`, and ends at `hit`.
+  glm::vec3 FollowPath(const Ray& ray, const Hit& hit, glm::vec3 point,
+    const SurfaceNormals& normals, int bounces, std::uint32_t& random, long long& rays) const;
+
   /// Returns a ray that starts at `point` on a surface, offset along the geometric normal. A
   /// direction below the surface is reflected.
   static Ray SpawnRay(glm::vec3 point, const SurfaceNormals& normals, glm::vec3 direction);

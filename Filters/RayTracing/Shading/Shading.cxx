@@ -283,6 +283,10 @@ ShadedHit Shading::ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long lo
     const glm::vec3 point = pointOfHit();
     rgb = this->ApplyLights(phong, shaded, point, shadowRays, penumbrae);
   }
+  if (!diffuseOnly && this->UniformLight != glm::vec3(0.f))
+  {
+    rgb += this->UniformLight * shaded.Reflectance;
+  }
   shaded.Color = glm::vec4(rgb, phong.Opacity);
   if (surface.LitTexture && terms != Terms::Untextured && (front || surface.TextureOnBackfaces))
   {

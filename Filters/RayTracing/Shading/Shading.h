@@ -59,6 +59,10 @@ public:
   /// this object. Null: none.
   void SetAttenuation(const LightAttenuation* attenuation) { this->Attenuation = attenuation; }
 
+  /// Sets light that Shade() and ShadeUntextured() add to every surface, times its diffuse reflectance. Default: 0.
+  void SetUniformLight(glm::vec3 light) { this->UniformLight = light; }
+  glm::vec3 GetUniformLight() const { return this->UniformLight; }
+
   /// Shades a hit of `ray`. Adds the number of shadow rays traced to `shadowRays`. If `penumbrae`
   /// is null, one ray is traced toward each light.
   ShadedHit Shade(const Ray& ray, const Hit& hit, long long& shadowRays,
@@ -159,6 +163,7 @@ private:
   bool Penumbrae = false;
   bool OneHeadlight;
   const LightAttenuation* Attenuation = nullptr;
+  glm::vec3 UniformLight{ 0.f };
   bool Translucent = false; ///< at least one surface is translucent
   std::vector<SurfaceMaterial> Materials;
 };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OcclusionField.h"
+#include "LightField.h"
 
 #include "LightConstants.h"
 #include "Sampling/CameraRayTracer.h"
@@ -33,18 +33,31 @@ glm::ivec2 RoundDown(glm::ivec2 p)
   return glm::ivec2(glm::floor(glm::dvec2(p) / double(LightTileSide))) * LightTileSide;
 }
 
+/// Returns the grid of the sites that the pixels [low, high) depend on: every round extends them.
+template <int N>
+SiteGrid<N> MakeGrid(const Camera& camera, glm::ivec2 low, glm::ivec2 high)
+{
+  const int margin = (LightRounds + 1) * GetJoiningReach() + LightRounds * LightTileSide;
+  SiteGrid<N> grid;
+  grid.Low = glm::max(RoundDown(low - margin), glm::ivec2(0));
+  grid.High = glm::min(RoundDown(high + margin) + LightTileSide,
+    RoundDown({ camera.Width, camera.Height }) + LightTileSide);
+  return grid;
 }
 
 /// Samples the tiles of a field, and decides how many samples their pixels get.
+template <int N>
 class TileSamples
 {
 public:
-  TileSamples(OcclusionField& field, const CameraRayTracer& tracer, const OcclusionRays& rays)
+  /// Reads only the errors of `field`, which may be incomplete.
+  TileSamples(const LightField& field, SiteGrid<N>& grid, const CameraRayTracer& tracer,
+    const LightRays<N>& rays)
     : Field(field),
-      Grid(field.Grid),
+      Grid(grid),
       Tracer(tracer),
       Rays(rays),
-      Tiles(field.Grid.GetSize() / LightTileSide),
+      Tiles(grid.GetSize() / LightTileSide),
       Count(this->Tiles.x * this->Tiles.y)
   {
   }
@@ -61,16 +74,16 @@ public:
         static_cast<std::size_t>(this->Grid.GetSize().x) * this->Grid.GetSize().y, LightPixel());
     }
     const bool finished = this->ForTiles(
-      limit, from, to, progress, counts, this->Count, [&](int tile, SiteSampler& sampler) {
-        std::vector<LightSite>& sites = this->FoundSites[tile];
+      limit, from, to, progress, counts, this->Count, [&](int tile, SiteSampler<N>& sampler) {
+        std::vector<LightSite<N>>& sites = this->FoundSites[tile];
         this->VisitBlocks(tile, [&](glm::ivec2 first) {
           sampler.FindSites(first);
-          for (int cell = 0; cell < SiteSampler::Cells; ++cell)
+          for (int cell = 0; cell < SiteSampler<N>::Cells; ++cell)
           {
             LightPixel& pixel = this->GetPixel(first, cell);
             pixel = sampler.GetPixel(cell);
             pixel.Begin = static_cast<std::uint32_t>(sites.size());
-            const std::vector<LightSite>& found = sampler.GetSites(cell);
+            const std::vector<LightSite<N>>& found = sampler.GetSites(cell);
             sites.insert(sites.end(), found.begin(), found.end());
           }
         });
@@ -109,11 +122,11 @@ public:
   {
     const int count = static_cast<int>(this->Increased.size());
     const bool finished =
-      this->ForTiles(limit, from, to, progress, counts, count, [&](int i, SiteSampler& sampler) {
+      this->ForTiles(limit, from, to, progress, counts, count, [&](int i, SiteSampler<N>& sampler) {
         const int tile = this->Increased[i];
         this->VisitBlocks(tile, [&](glm::ivec2 first) {
           sampler.AddSamples(first, this->Grid);
-          for (int cell = 0; cell < SiteSampler::Cells; ++cell)
+          for (int cell = 0; cell < SiteSampler<N>::Cells; ++cell)
           {
             LightPixel& pixel = this->GetPixel(first, cell);
             pixel = sampler.GetPixel(cell);
@@ -135,15 +148,15 @@ private:
   {
     for (std::size_t tile = 0; tile < this->FoundSites.size(); ++tile)
     {
-      std::vector<LightSite>& sites = this->FoundSites[tile];
+      std::vector<LightSite<N>>& sites = this->FoundSites[tile];
       this->VisitBlocks(static_cast<int>(tile), [&](glm::ivec2 first) {
-        for (int cell = 0; cell < SiteSampler::Cells; ++cell)
+        for (int cell = 0; cell < SiteSampler<N>::Cells; ++cell)
         {
           this->GetPixel(first, cell).Begin += static_cast<std::uint32_t>(this->Grid.Sites.size());
         }
       });
       this->Grid.Sites.insert(this->Grid.Sites.end(), sites.begin(), sites.end());
-      std::vector<LightSite>().swap(sites);
+      std::vector<LightSite<N>>().swap(sites);
     }
   }
 
@@ -230,7 +243,7 @@ private:
 
   LightPixel& GetPixel(glm::ivec2 first, int cell)
   {
-    const glm::ivec2 p = first + SiteSampler::GetOffset(cell);
+    const glm::ivec2 p = first + SiteSampler<N>::GetOffset(cell);
     return this->Grid.Pixels[this->Grid.GetCell(p.x, p.y)];
   }
 
@@ -238,10 +251,10 @@ private:
   template <typename Visit>
   void VisitBlocks(int tile, const Visit& visit) const
   {
-    constexpr int Ratio = LightTileSide / SiteSampler::Side;
+    constexpr int Ratio = LightTileSide / SiteSampler<N>::Side;
     for (int i = 0; i < Ratio * Ratio; ++i)
     {
-      visit(this->GetFirst(tile) + SiteSampler::Side * glm::ivec2(i % Ratio, i / Ratio));
+      visit(this->GetFirst(tile) + SiteSampler<N>::Side * glm::ivec2(i % Ratio, i / Ratio));
     }
   }
 
@@ -262,13 +275,13 @@ private:
         finished = false;
         return;
       }
-      SiteSampler sampler(this->Tracer, this->Rays);
+      SiteSampler<N> sampler(this->Tracer, this->Rays);
       work(i, sampler);
       this->Done[i] = 1;
       const std::lock_guard<std::mutex> lock(totals);
       counts += sampler.Counts;
       counts.Auxiliary += sampler.CameraRays;
-      counts.Occlusion += sampler.LightRays;
+      (LightTerms<N>::HasRadiance ? counts.Indirect : counts.Occlusion) += sampler.TracedRays;
     };
     if (!ParallelForWithProgress(count, from, to, progress, visit))
     {
@@ -277,38 +290,67 @@ private:
     return finished;
   }
 
-  const OcclusionField& Field;
-  SiteGrid& Grid;
+  const LightField& Field;
+  SiteGrid<N>& Grid;
   const CameraRayTracer& Tracer;
-  const OcclusionRays& Rays;
+  const LightRays<N>& Rays;
   glm::ivec2 Tiles;
   int Count;
-  std::vector<int> Increased;                     ///< tiles that get more samples in this round
-  std::vector<char> Done;                         ///< flags of the tiles of this round
-  std::vector<std::vector<LightSite>> FoundSites; ///< per tile, until all are known
+  std::vector<int> Increased;                        ///< tiles that get more samples in this round
+  std::vector<char> Done;                            ///< flags of the tiles of this round
+  std::vector<std::vector<LightSite<N>>> FoundSites; ///< per tile, until all are known
 };
 
-OcclusionField::OcclusionField(const CameraRayTracer& tracer, const OcclusionRays& rays,
-  double tolerance, glm::ivec2 low, glm::ivec2 high)
-  : Tolerance(tolerance)
+/// Light with N values, see LightSite.h.
+template <int N>
+class JoinedLight final : public LightField
 {
-  // Every round extends the sites that an estimate depends on.
-  const Camera& camera = tracer.GetScene().ViewCamera;
-  const int margin = (LightRounds + 1) * GetJoiningReach() + LightRounds * LightTileSide;
-  this->Grid.Low = glm::max(RoundDown(low - margin), glm::ivec2(0));
-  this->Grid.High = glm::min(RoundDown(high + margin) + LightTileSide,
-    RoundDown({ camera.Width, camera.Height }) + LightTileSide);
-  this->Tiles = std::make_unique<TileSamples>(*this, tracer, rays);
+public:
+  JoinedLight(
+    const CameraRayTracer& tracer, const LightEffects& effects, glm::ivec2 low, glm::ivec2 high);
+
+  bool FindSites(WorkLimit* limit, double from, double to, const ProgressCallback& progress,
+    RayCounts& counts) override;
+  bool AddRounds(WorkLimit* limit, double from, double to, const ProgressCallback& progress,
+    RayCounts& counts) override;
+  bool HasSites() const override { return this->Round > 0; }
+  Change At(int x, int y) const override;
+  float GetMeanOcclusion(int x, int y) const override;
+
+private:
+  using Terms = LightTerms<N>;
+  using Value = typename Terms::Value;
+
+  Value Evaluate(const LightSite<N>& site) const;
+  float ComputeSquaredError(const LightSite<N>& site, float samples) const;
+
+  LightRays<N> Rays;
+  SiteGrid<N> Grid;
+  TileSamples<N> Tiles;
+  double Tolerance;
+  float UniformLight;
+  int Round = 0; ///< next one; 0: the sites are not known
+};
+
+template <int N>
+JoinedLight<N>::JoinedLight(
+  const CameraRayTracer& tracer, const LightEffects& effects, glm::ivec2 low, glm::ivec2 high)
+  : Rays(effects),
+    Grid(MakeGrid<N>(tracer.GetScene().ViewCamera, low, high)),
+    Tiles(*this, this->Grid, tracer, this->Rays),
+    Tolerance(effects.Tolerance),
+    UniformLight(effects.GetUniformLight())
+{
+  this->Grid.SquaredRange = this->Rays.GetSquaredRange();
 }
 
-OcclusionField::~OcclusionField() = default;
-
-bool OcclusionField::FindSites(
+template <int N>
+bool JoinedLight<N>::FindSites(
   WorkLimit* limit, double from, double to, const ProgressCallback& progress, RayCounts& counts)
 {
   if (this->Round == 0)
   {
-    if (!this->Tiles->FindSites(limit, from, to, progress, counts))
+    if (!this->Tiles.FindSites(limit, from, to, progress, counts))
     {
       return false;
     }
@@ -318,16 +360,17 @@ bool OcclusionField::FindSites(
   return true;
 }
 
-bool OcclusionField::AddRounds(
+template <int N>
+bool JoinedLight<N>::AddRounds(
   WorkLimit* limit, double from, double to, const ProgressCallback& progress, RayCounts& counts)
 {
   const double step = (to - from) / LightRounds;
-  while (this->Round <= LightRounds && this->Tiles->Increase(this->Tolerance))
+  while (this->Round <= LightRounds && this->Tiles.Increase(this->Tolerance))
   {
-    const long long before = counts.Occlusion;
-    const bool finished = this->Tiles->AddSamples(
+    const long long before = counts.Auxiliary;
+    const bool finished = this->Tiles.AddSamples(
       limit, from + (this->Round - 1) * step, from + this->Round * step, progress, counts);
-    if (counts.Occlusion != before)
+    if (counts.Auxiliary != before)
     {
       JoinSites(this->Grid);
     }
@@ -341,69 +384,124 @@ bool OcclusionField::AddRounds(
   return true;
 }
 
-float OcclusionField::Evaluate(const LightSite& site) const
+template <int N>
+typename JoinedLight<N>::Value JoinedLight<N>::Evaluate(const LightSite<N>& site) const
 {
-  const SitePatch& patch = this->Grid.Patches[site.Patch];
+  const SitePatch<N>& patch = this->Grid.Patches[site.Patch];
   const LightFeatures at(site.Position, site.Normal);
   const float rays = static_cast<float>(site.Rays[0]) + static_cast<float>(site.Rays[1]);
-  float value = patch.Value + patch.AloneWeight * (site.Sums[0] + site.Sums[1]) / rays;
+  Value value = patch.Value + patch.AloneWeight * (site.Sums[0] + site.Sums[1]) / rays;
   for (int k = 0; k < LightFeatures::Count; ++k)
   {
     value += patch.Slopes[k] * (at.At[k] - patch.Mean.At[k]);
   }
-  return std::clamp(value, 0.f, 1.f);
+  value = glm::max(value, Value(0.f));
+  if constexpr (Terms::HasOcclusion)
+  {
+    value[0] = std::min(value[0], 1.f);
+  }
+  return value;
 }
 
-// The parts of the sites are estimated from the samples of the pixel. The difference between both
-// halves of them estimates their error.
-OcclusionField::Factor OcclusionField::At(int x, int y) const
+/// Returns the squared error that a site causes in the color of a pixel with `samples` samples.
+template <int N>
+float JoinedLight<N>::ComputeSquaredError(const LightSite<N>& site, float samples) const
 {
-  Factor factor;
+  const Value& squares = this->Grid.Patches[site.Patch].SquaredError;
+  glm::vec3 sum(0.f);
+  for (int term = 0; term < Terms::Count; ++term)
+  {
+    const glm::vec3 color = (site.Colors[term][0] + site.Colors[term][1]) / samples;
+    for (int c = 0; c < 3; ++c)
+    {
+      const bool isOcclusion = Terms::HasOcclusion && term == Terms::OcclusionTerm;
+      sum[c] += Square(color[c]) * squares[isOcclusion ? 0 : Terms::FirstRadiance + c];
+    }
+  }
+  return MaximumComponent(sum);
+}
+
+// The color of the whole pixel is known, that of its samples too: the change is predicted by linear
+// regression on the color, among the samples, as their mean differs from the pixel. Without variance,
+// the change is in proportion to the color. What the regression leaves of the difference between both
+// halves of the samples estimates the error.
+template <int N>
+LightField::Change JoinedLight<N>::At(int x, int y) const
+{
+  Change result;
   const LightPixel& pixel = this->Grid.Pixels[this->Grid.GetCell(x, y)];
   if (pixel.Sites == 0)
   {
-    return factor;
+    return result;
   }
-  glm::vec3 removed[Halves] = { glm::vec3(0.f), glm::vec3(0.f) };
+  glm::vec3 changes[Halves] = { glm::vec3(0.f), glm::vec3(0.f) };
+  glm::vec3 products(0.f);
   float squares = 0.f;
-  const float samples = static_cast<float>(pixel.Samples[0]) + static_cast<float>(pixel.Samples[1]);
+  const glm::vec2 counts(pixel.Samples[0], pixel.Samples[1]);
+  const float samples = counts[0] + counts[1];
   for (std::uint32_t i = pixel.Begin; i < pixel.Begin + pixel.Sites; ++i)
   {
-    const LightSite& site = this->Grid.Sites[i];
-    const float occlusion = this->Evaluate(site);
-    removed[0] += occlusion * site.Colors[0];
-    removed[1] += occlusion * site.Colors[1];
-    squares += Square(MaximumComponent(site.Colors[0] + site.Colors[1]) / samples) *
-      this->Grid.Patches[site.Patch].SquaredError;
+    const LightSite<N>& site = this->Grid.Sites[i];
+    const Value light = this->Evaluate(site);
+    const auto change = [&](glm::vec3 occluded, glm::vec3 reflectance) {
+      return Terms::ComputeChange(light, this->UniformLight, occluded, reflectance);
+    };
+    for (int half = 0; half < Halves; ++half)
+    {
+      changes[half] +=
+        change(site.Colors[Terms::OcclusionTerm][half], site.Colors[Terms::RadianceTerm][half]);
+    }
+    products += change(site.Products[Terms::OcclusionTerm], site.Products[Terms::RadianceTerm]);
+    squares += this->ComputeSquaredError(site, samples);
   }
+  const glm::vec3 color = (pixel.Colors[0] + pixel.Colors[1]) / samples;
+  const glm::vec3 change = (changes[0] + changes[1]) / samples;
+  const glm::vec3 variance = glm::max(pixel.Squares / samples - color * color, glm::vec3(0.f));
+  const glm::vec3 covariance = products / samples - color * change;
+  const glm::vec3 ridge = PartRidge * (1.f + color * color);
   float parts = 0.f;
   for (int c = 0; c < 3; ++c)
   {
-    const float sum = pixel.Colors[0][c] + pixel.Colors[1][c];
-    if (sum > 0.f)
+    const float ratio = color[c] > 0.f ? change[c] / color[c] : 0.f;
+    const float slope =
+      std::max((covariance[c] + ridge[c] * ratio) / (variance[c] + ridge[c]), -1.f);
+    result.Factor[c] = 1.f + slope;
+    result.Offset[c] = change[c] - slope * color[c];
+    float difference = 0.f;
+    if (pixel.Samples[0] > 0 && pixel.Samples[1] > 0)
     {
-      factor.Value[c] = std::clamp(1.f - (removed[0][c] + removed[1][c]) / sum, 0.f, 1.f);
-      const float difference = removed[0][c] / std::max(pixel.Colors[0][c], 1e-6f * sum) -
-        removed[1][c] / std::max(pixel.Colors[1][c], 1e-6f * sum);
-      parts = std::max(parts, std::abs(difference) * sum / samples);
+      difference = (changes[0][c] - slope * pixel.Colors[0][c]) / counts[0] -
+        (changes[1][c] - slope * pixel.Colors[1][c]) / counts[1];
     }
+    parts = std::max(parts, std::abs(difference));
   }
-  factor.Error = std::sqrt(squares + PartVarianceGain * Square(parts));
-  return factor;
+  result.Error = std::sqrt(squares + PartVarianceGain * Square(parts));
+  return result;
 }
 
-float OcclusionField::GetMean(int x, int y) const
+template <int N>
+float JoinedLight<N>::GetMeanOcclusion(int x, int y) const
 {
   const LightPixel& pixel = this->Grid.Pixels[this->Grid.GetCell(x, y)];
   float sum = 0.f;
   float samples = 0.f;
   for (std::uint32_t i = pixel.Begin; i < pixel.Begin + pixel.Sites; ++i)
   {
-    const LightSite& site = this->Grid.Sites[i];
-    sum += site.Samples * this->Evaluate(site);
+    const LightSite<N>& site = this->Grid.Sites[i];
+    sum += site.Samples * this->Evaluate(site)[0];
     samples += site.Samples;
   }
   return samples > 0.f ? sum / samples : 0.f;
+}
+
+}
+
+std::unique_ptr<LightField> LightField::Make(
+  const CameraRayTracer& tracer, const LightEffects& effects, glm::ivec2 low, glm::ivec2 high)
+{
+  return effects.Select([&](auto values) -> std::unique_ptr<LightField> {
+    return std::make_unique<JoinedLight<values()>>(tracer, effects, low, high);
+  });
 }
 
 }

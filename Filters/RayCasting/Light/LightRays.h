@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The light that arrives along single rays, traced in packets: occlusion, or diffuse indirect light.
+#ifndef penumbra_LightRays_h
+#define penumbra_LightRays_h
+
+#include "Embree/RayScene.h"
+#include "LightSite.h"
+#include "Shading/DistanceFalloff.h"
+#include "Shading/HemisphereSampling.h"
+#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
+
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace penumbra
+{
+
+class Illumination;
+
+/// Occlusion along rays.
+class VTKPENUMBRAFILTERSRAYCASTING_EXPORT OcclusionRays
+{
+public:
+  static constexpr int PacketSize = 16;
+
+  /// `rays` must outlive this object. `falloff` is in scene units. The mean of many rays is estimated
+  /// to `tolerance`.
+  OcclusionRays(const RayScene& rays, const DistanceFalloff& falloff, double tolerance);
+
+  /// Returns the distance at which rays end, in scene units.
+  float GetRadius() const { return this->Falloff.Radius; }
+
+  /// Computes the occlusion along PacketSize rays, in [0, 1]; those with Near > Far are inactive. Adds the
+  /// number of rays that were traced beyond the first hits to `additional`.
+  void Trace(const Ray* rays, float* values, long long& additional) const;
+
+private:
+  const RayScene& Rays;
+  DistanceFalloff Falloff;
+  bool Translucent;
+  float Cut; ///< transmittance at which rays end
+};
+
+/// Effects that are estimated for the pixels of an image together.
+struct LightEffects
+{
+  std::optional<OcclusionRays> Occlusion;
+  std::shared_ptr<const Illumination> Light; ///< null: no indirect light
+  double Tolerance = 0.0;                    ///< of their sum, on a white surface
+
+  /// Indirect light of all surfaces with which the image is rendered first, see Shading::SetUniformLight().
+  float GetUniformLight() const;
+
+  /// Calls visit(N) with the number of values of the light, as a constant.
+  template <typename Visit>
+  auto Select(const Visit& visit) const
+  {
+    return !this->Light ? visit(std::integral_constant<int, 1>())
+      : this->Occlusion ? visit(std::integral_constant<int, 4>())
+                        : visit(std::integral_constant<int, 3>());
+  }
+};
+
+/// Rays from surfaces, and their values as in LightSite.
+template <int N>
+class LightRays
+{
+public:
+  static constexpr int PacketSize = OcclusionRays::PacketSize;
+  using Value = typename LightTerms<N>::Value;
+
+  /// The point of a surface at which a ray starts. Only indirect light needs it.
+  struct Start
+  {
+    glm::vec3 Position{ 0.f };
+    SurfaceNormals Normals{ glm::vec3(0.f) };
+  };
+
+  /// `effects` must outlive this object.
+  explicit LightRays(const LightEffects& effects)
+    : Effects(effects)
+  {
+  }
+
+  /// Returns the distance at which rays end, in scene units.
+  float GetRadius() const
+  {
+    return LightTerms<N>::HasRadiance ? std::numeric_limits<float>::infinity()
+                                      : this->Effects.Occlusion->GetRadius();
+  }
+
+  /// Returns the squared range of values.
+  Value GetSquaredRange() const;
+
+  /// Computes the values along PacketSize rays; those with Near > Far are inactive. Adds the
+  /// number of rays that were traced beyond the first hits to `additional`.
+  void Trace(const Ray* rays, const Start* starts, Value* values, long long& additional) const;
+
+private:
+  void TraceRadiance(
+    const Ray* rays, const Start* starts, Value* values, long long& additional) const;
+
+  const LightEffects& Effects;
+};
+
+}
+#endif
