@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Meshes of Abaqus and CalculiX input files: *NODE, *ELEMENT, *PART and *INSTANCE.
+// Meshes of Abaqus and CalculiX input files: *NODE, *ELEMENT, *PART, *INSTANCE and *INCLUDE.
 #include "MeshReaders.h"
 
 #include "Files/FileExtension.h"
+#include "Files/InputFiles.h"
 #include "Files/MappedFile.h"
 #include "MeshArrays.h"
 #include "Processes/CommandError.h"
 #include "TextScanner.h"
 
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkTransform.h"
@@ -17,7 +19,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -43,6 +47,7 @@ struct Part
 
 struct Instance
 {
+  std::string Name;
   std::string Part;
   std::vector<std::vector<double>> Lines; ///< translation; two points of an axis and an angle
 };
@@ -56,24 +61,29 @@ std::pair<int, int> FindCellType(const std::string& type)
     int Dimension;
     int Offset; ///< number of nodes minus the number that follows the prefix
   };
-  static const Family families[] = { { "ac3d", 3, 0 }, { "dc3d", 3, 0 }, { "c3d", 3, 0 },
-    { "sc", 3, 0 }, { "t3d", 1, 0 }, { "t2d", 1, 0 }, { "r2d", 1, 0 }, { "b3", 1, 1 },
-    { "b2", 1, 1 }, { "stri", 2, 0 }, { "sfm3d", 2, 0 }, { "m3d", 2, 0 }, { "r3d", 2, 0 },
-    { "cps", 2, 0 }, { "cpe", 2, 0 }, { "cgax", 2, 0 }, { "cax", 2, 0 }, { "dc2d", 2, 0 },
-    { "ds", 2, 0 }, { "s", 2, 0 } };
+  static const Family families[] = { { "ac3d", 3, 0 }, { "dcc3d", 3, 0 }, { "dc3d", 3, 0 },
+    { "coh3d", 3, 0 }, { "c3d", 3, 0 }, { "sc", 3, 0 }, { "t3d", 1, 0 }, { "t2d", 1, 0 },
+    { "r2d", 1, 0 }, { "rax", 1, 0 }, { "sax", 1, 1 }, { "max", 1, 1 }, { "dc1d", 1, 0 },
+    { "b33", 1, 2 }, { "b23", 1, 2 }, { "b3", 1, 1 }, { "b2", 1, 1 }, { "pipe3", 1, 1 },
+    { "pipe2", 1, 1 }, { "stri", 2, 0 }, { "sfm3d", 2, 0 }, { "m3d", 2, 0 }, { "r3d", 2, 0 },
+    { "cps", 2, 0 }, { "cpeg", 2, 0 }, { "cpe", 2, 0 }, { "cgax", 2, 0 }, { "cax", 2, 0 },
+    { "dccax", 2, 0 }, { "dcc2d", 2, 0 }, { "dcax", 2, 0 }, { "dc2d", 2, 0 }, { "ac2d", 2, 0 },
+    { "acax", 2, 0 }, { "coh2d", 2, 0 }, { "cohax", 2, 0 }, { "ds", 2, 0 }, { "us", 2, 0 },
+    { "s", 2, 0 } };
   static const std::map<std::pair<int, int>, int> cells = { { { 3, 4 }, VTK_TETRA },
     { { 3, 10 }, VTK_QUADRATIC_TETRA }, { { 3, 5 }, VTK_PYRAMID }, { { 3, 6 }, VTK_WEDGE },
     { { 3, 15 }, VTK_QUADRATIC_WEDGE }, { { 3, 8 }, VTK_HEXAHEDRON },
     { { 3, 20 }, VTK_QUADRATIC_HEXAHEDRON }, { { 2, 3 }, VTK_TRIANGLE }, { { 2, 4 }, VTK_QUAD },
-    { { 2, 6 }, VTK_QUADRATIC_TRIANGLE }, { { 2, 8 }, VTK_QUADRATIC_QUAD }, { { 1, 2 }, VTK_LINE },
-    { { 1, 3 }, VTK_QUADRATIC_EDGE } };
+    { { 2, 6 }, VTK_QUADRATIC_TRIANGLE }, { { 2, 8 }, VTK_QUADRATIC_QUAD },
+    { { 2, 9 }, VTK_BIQUADRATIC_QUAD }, { { 1, 2 }, VTK_LINE }, { { 1, 3 }, VTK_QUADRATIC_EDGE } };
   for (const Family& family : families)
   {
     const std::string prefix = family.Prefix;
     if (type.compare(0, prefix.size(), prefix) == 0)
     {
       int nodes = std::atoi(type.c_str() + prefix.size()) + family.Offset;
-      nodes = nodes == 65 ? 6 : nodes; // STRI65
+      nodes = nodes == 65 ? 6 : nodes;  // STRI65
+      nodes = nodes == 27 ? 20 : nodes; // C3D27: the first nodes are those of C3D20.
       const auto cell = cells.find({ family.Dimension, nodes });
       return cell == cells.end() ? std::pair<int, int>() : std::make_pair(nodes, cell->second);
     }
@@ -81,11 +91,18 @@ std::pair<int, int> FindCellType(const std::string& type)
   return {};
 }
 
-std::string Trim(std::string_view text)
+/// Returns the text without blanks and quotation marks around it.
+std::string Strip(std::string_view text)
 {
   const std::size_t begin = std::min(text.find_first_not_of(" \t\""), text.size());
   const std::size_t end = text.find_last_not_of(" \t\"");
-  return LowerCase(std::string(text.substr(begin, end == text.npos ? 0 : end + 1 - begin)));
+  return std::string(text.substr(begin, end == text.npos ? 0 : end + 1 - begin));
+}
+
+/// Returns the same in lower case: names do not depend on it.
+std::string Trim(std::string_view text)
+{
+  return LowerCase(Strip(text));
 }
 
 std::vector<std::string> SplitAtCommas(std::string_view line)
@@ -100,29 +117,20 @@ std::vector<std::string> SplitAtCommas(std::string_view line)
   return fields;
 }
 
+/// Number of files that may include each other.
+constexpr int MaximumDepth = 16;
+
 class Reader
 {
 public:
-  Reader(const std::string& path, const MappedFile& file)
-    : Path(path),
-      Text(file.Begin(), file.End())
+  explicit Reader(const std::string& path)
+    : Path(path)
   {
   }
 
   vtkSmartPointer<vtkUnstructuredGrid> Read()
   {
-    while (!this->Text.AtEnd())
-    {
-      ++this->LineNumber;
-      const std::string_view line = this->Text.Line();
-      const std::string start = Trim(line.substr(0, 2));
-      if (start.empty() || start == "**")
-      {
-        continue;
-      }
-      const std::vector<std::string> fields = SplitAtCommas(line);
-      start[0] == '*' ? this->ReadKeyword(fields) : this->ReadData(fields);
-    }
+    this->ReadFile(this->Path);
     if (this->Missing > 0)
     {
       ThrowTruncated(this->Path, "node of an element");
@@ -153,14 +161,89 @@ private:
     return {};
   }
 
-  void ReadKeyword(const std::vector<std::string>& fields)
+  void ReadFile(const std::string& path)
+  {
+    const MappedFile file(path);
+    TextScanner text(file.Begin(), file.End());
+    const long long outerLine = this->LineNumber;
+    this->LineNumber = 0;
+    while (!text.AtEnd())
+    {
+      ++this->LineNumber;
+      std::string line(text.Line());
+      const std::string start = Trim(line).substr(0, 2);
+      if (start.empty() || start == "**")
+      {
+        continue;
+      }
+      if (start[0] != '*')
+      {
+        this->ReadData(SplitAtCommas(line));
+        continue;
+      }
+      while (EndsWithComma(line) && !text.AtEnd())
+      {
+        ++this->LineNumber;
+        line += text.Line();
+      }
+      this->ReadKeyword(SplitAtCommas(line), line);
+    }
+    this->LineNumber = outerLine;
+  }
+
+  static bool EndsWithComma(const std::string& line)
+  {
+    const std::size_t last = line.find_last_not_of(" \t");
+    return last != line.npos && line[last] == ',';
+  }
+
+  /// Reads the file of a parameter INPUT, which is relative to the folder of the first file.
+  void Include(const std::string& line)
+  {
+    const std::size_t parameter = LowerCase(line).find("input");
+    const std::size_t sign = parameter == line.npos ? line.npos : line.find('=', parameter);
+    const std::size_t end = line.find(',', std::min(sign, line.size()));
+    const std::string name = sign == line.npos ? "" : Strip(line.substr(sign + 1, end - sign - 1));
+    const std::filesystem::path path = std::filesystem::path(this->Path).parent_path() / name;
+    std::error_code error;
+    if (name.empty() || !std::filesystem::is_regular_file(path, error))
+    {
+      throw CommandError(BadInput,
+        this->Path + ": the included file '" + name +
+          "' is missing; copy it to the folder of the file");
+    }
+    if (this->Depth == MaximumDepth)
+    {
+      ThrowDamaged(this->Path, "its files include each other");
+    }
+    RecordInput(path.string());
+    ++this->Depth;
+    this->ReadFile(path.string());
+    --this->Depth;
+  }
+
+  void ReadKeyword(const std::vector<std::string>& fields, const std::string& line)
   {
     const std::string& keyword = fields[0];
+    if (keyword == "*include")
+    {
+      this->Include(line);
+      return;
+    }
     this->Section = Sections::Ignored;
     this->Missing = 0;
     if (keyword == "*node")
     {
       this->Section = Sections::Nodes;
+      const std::string system = Parameter(fields, "system");
+      this->System = system.empty() ? 'r' : system[0];
+    }
+    else if (keyword == "*ngen" || keyword == "*nfill" || keyword == "*ncopy" ||
+      keyword == "*nmap" || keyword == "*elgen" || keyword == "*elcopy" || keyword == "*system")
+    {
+      throw CommandError(BadInput,
+        this->Path + ": " + keyword +
+          ", which generates or moves nodes or elements, is not supported; write them out");
     }
     else if (keyword == "*element")
     {
@@ -169,22 +252,37 @@ private:
     }
     else if (keyword == "*part")
     {
-      this->Current = Parameter(fields, "name");
-    }
-    else if (keyword == "*end part" || keyword == "*endpart")
-    {
-      this->Current.clear();
+      this->Current = PartPrefix + Parameter(fields, "name");
     }
     else if (keyword == "*instance")
     {
-      this->Instances.push_back({ Parameter(fields, "part"), {} });
+      // An instance may have nodes and elements of its own in place of those of its part.
+      this->Current = InstancePrefix + Parameter(fields, "name");
+      this->Instances.push_back({ this->Current, PartPrefix + Parameter(fields, "part"), {} });
       this->Section = Sections::Instances;
     }
-    else if (keyword == "*include")
+    else if (keyword == "*end part" || keyword == "*endpart" || keyword == "*end instance" ||
+      keyword == "*endinstance")
     {
-      throw CommandError(BadInput,
-        this->Path + ": it includes '" + Parameter(fields, "input") +
-          "', which is not read; merge the files");
+      this->Current.clear();
+    }
+  }
+
+  /// Returns the Cartesian coordinates of a node of the system of *NODE.
+  std::array<double, 3> ToCartesian(std::array<double, 3> point) const
+  {
+    const double radius = point[0];
+    const double azimuth = vtkMath::RadiansFromDegrees(point[1]);
+    const double elevation = vtkMath::RadiansFromDegrees(point[2]);
+    switch (this->System)
+    {
+      case 'c':
+        return { radius * std::cos(azimuth), radius * std::sin(azimuth), point[2] };
+      case 's':
+        return { radius * std::cos(azimuth) * std::cos(elevation),
+          radius * std::sin(azimuth) * std::cos(elevation), radius * std::sin(elevation) };
+      default:
+        return point;
     }
   }
 
@@ -210,7 +308,7 @@ private:
       {
         point[i - 1] = fields[i].empty() ? 0.0 : this->Number(fields[i]);
       }
-      part.Nodes[static_cast<long long>(this->Number(fields[0]))] = point;
+      part.Nodes[static_cast<long long>(this->Number(fields[0]))] = this->ToCartesian(point);
     }
     else if (this->Section == Sections::Elements)
     {
@@ -251,6 +349,7 @@ private:
     vtkNew<vtkTransform> identity;
     for (const auto& [name, part] : this->Parts)
     {
+      // Without an assembly, the parts are shown.
       if (name.empty() || this->Instances.empty())
       {
         this->Append(part, identity);
@@ -272,7 +371,8 @@ private:
         transform->RotateWXYZ(r[6], r[3] - r[0], r[4] - r[1], r[5] - r[2]);
         transform->Translate(r[0], r[1], r[2]);
       }
-      this->Append(this->Parts[instance.Part], transform);
+      const Part& own = this->Parts[instance.Name];
+      this->Append(own.Nodes.empty() ? this->Parts[instance.Part] : own, transform);
     }
   }
 
@@ -296,13 +396,38 @@ private:
         }
         corners.push_back(found->second);
       }
+      if (element.CellType == VTK_QUADRATIC_EDGE)
+      {
+        this->MoveMiddleToEnd(corners);
+      }
       this->Grid->InsertNextCell(
         element.CellType, static_cast<vtkIdType>(corners.size()), corners.data());
     }
   }
 
+  /// Beams name their middle node second, trusses of some programs last: it is the one between the others.
+  void MoveMiddleToEnd(std::vector<vtkIdType>& nodes) const
+  {
+    std::array<double, 3> p[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Grid->GetPoint(nodes[i], p[i].data());
+    }
+    const auto distance = [&p](int i, int j) {
+      return vtkMath::Distance2BetweenPoints(p[i].data(), p[j].data());
+    };
+    if (distance(0, 2) > distance(0, 1))
+    {
+      std::swap(nodes[1], nodes[2]);
+    }
+  }
+
+  static constexpr const char* PartPrefix = "part ";
+  static constexpr const char* InstancePrefix = "instance ";
+
   const std::string& Path;
-  TextScanner Text;
+  int Depth = 0;     ///< of the included file
+  char System = 'r'; ///< of *NODE: r: Cartesian, c: cylindrical, s: spherical
   long long LineNumber = 0;
   Sections Section = Sections::Ignored;
   int NodesPerElement = 0;
@@ -325,8 +450,7 @@ bool IsAbaqus(const std::string& path)
 
 vtkSmartPointer<vtkDataObject> ReadAbaqus(const std::string& path)
 {
-  const MappedFile file(path);
-  return Reader(path, file).Read();
+  return Reader(path).Read();
 }
 
 }

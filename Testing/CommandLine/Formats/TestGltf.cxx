@@ -193,4 +193,73 @@ TEST(Abaqus, MeshesAreRead)
   ExpectEqualImages(folder, "parts", "moved");
 }
 
+/// Renders `text` as `name`.inp to `name`.png.
+void RenderAbaqus(const Folder& folder, const std::string& name, const std::string& text)
+{
+  WriteText(folder / name + ".inp", text);
+  const ProgramResult outcome =
+    RunProgram({ "render", folder / name + ".inp", "--output", folder / name + ".png",
+      "--resolution", "60,60", "--camera-position", "4,3,5", "--camera-focal-point", "0,0,0" });
+  EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
+  EXPECT_EQ(outcome.Errors, "");
+}
+
+TEST(Abaqus, VariantsGiveTheSameImage)
+{
+  const Folder folder("abaqus-variants");
+  const std::string nodes = "1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 1, 1, 0\n5, 0, 0, 1\n"
+                            "6, 1, 0, 1\n7, 0, 1, 1\n8, 1, 1, 1\n";
+  const std::string element = "1, 1, 2, 4, 3, 5, 6, 8, 7\n";
+  RenderAbaqus(folder, "plain", "*Node\n" + nodes + "*Element, type=C3D8\n" + element);
+
+  std::string indented;
+  for (const char c : "*Node\n" + nodes + "*Element, type=C3D8\n" + element)
+  {
+    indented += c == '\n' ? "\r\n     " : std::string(1, c);
+  }
+  RenderAbaqus(folder, "indented", indented);
+  RenderAbaqus(folder, "continued",
+    "*Node,\nnset=all\n" + nodes + "*Element,\n  type=C3D8,\n elset=e\n" + element);
+  RenderAbaqus(folder, "instance",
+    "*Part, name=a\n*End Part\n*Assembly\n*Instance, name=a-1, part=a\n*Node\n" + nodes +
+      "*Element, type=C3D8\n" + element + "*End Instance\n*End Assembly\n");
+  WriteText(folder / "Nodes of the part.txt", nodes);
+  WriteText(folder / "elements.inc", "*Element, type=C3D8\n" + element);
+  RenderAbaqus(folder, "include",
+    "*Node\n*Include, input=\"Nodes of the part.txt\"\n*INCLUDE,INPUT=elements.inc\n");
+  // (1, 1) is at the radius sqrt(2) and 45 degrees.
+  RenderAbaqus(folder, "cylindrical",
+    "*Node, system=C\n1\n2, 1\n3, 1, 90\n4, 1.4142135623730951, 45\n5, , , 1\n6, 1, 0, 1\n"
+    "7, 1, 90, 1\n8, 1.4142135623730951, 45, 1\n*Element, type=C3D8\n" +
+      element);
+  for (const char* name : { "indented", "continued", "instance", "include", "cylindrical" })
+  {
+    SCOPED_TRACE(name);
+    ExpectEqualImages(folder, "plain", name);
+  }
+}
+
+TEST(Abaqus, MiddleNodesOfBeamsAreSecondOrLast)
+{
+  const Folder folder("abaqus-beams");
+  RenderAbaqus(folder, "second", "*Node\n1, -1\n2, 0, .6\n3, 1\n*Element, type=B32\n1, 1, 2, 3\n");
+  RenderAbaqus(folder, "last", "*Node\n1, -1\n2, 1\n3, 0, .6\n*Element, type=T3D3\n1, 1, 2, 3\n");
+  ExpectEqualImages(folder, "second", "last");
+}
+
+TEST(Abaqus, MissingAndGeneratedPartsAreErrors)
+{
+  const Folder folder("abaqus-errors");
+  const auto errors = [&folder](const std::string& text) {
+    WriteText(folder / "a.inp", text);
+    const ProgramResult outcome =
+      RunProgram({ "render", folder / "a.inp", "--output", folder / "a.png" });
+    EXPECT_EQ(outcome.Status, 2);
+    return outcome.Errors;
+  };
+  EXPECT_NE(errors("*Include, input=b.inp\n").find("'b.inp' is missing"), std::string::npos);
+  EXPECT_NE(errors("*Include, input=a.inp\n").find("include each other"), std::string::npos);
+  EXPECT_NE(errors("*Node\n1, 0, 0\n5, 1, 0\n*NGEN\n1, 5, 1\n").find("*ngen"), std::string::npos);
+}
+
 }
