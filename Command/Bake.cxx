@@ -7,7 +7,7 @@
 #include "Files/FileExtension.h"
 #include "Files/InputFiles.h"
 #include "Files/Report.h"
-#include "Formats/MeshReaders.h"
+#include "Formats/MeshWriter.h"
 #include "Input/EnvironmentFile.h"
 #include "Input/ReadLimit.h"
 #include "Input/Surfaces.h"
@@ -22,25 +22,19 @@
 #include "Processes/Worker.h"
 #include "Subcommands.h"
 
-#include "vtkAppendFilter.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
-#include "vtkPLYWriter.h"
 #include "vtkPenumbraCubeMapGatherer.h"
 #include "vtkPenumbraEnvironment.h"
 #include "vtkPenumbraIrradianceFilter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataWriter.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkXMLPolyDataWriter.h"
-#include "vtkXMLUnstructuredGridWriter.h"
 
 #include <algorithm>
 #include <array>
@@ -207,56 +201,15 @@ void AddColors(vtkPolyData* mesh, const std::string& quantity)
   mesh->GetPointData()->AddArray(colors);
 }
 
-template <typename Writer>
-bool Write(Writer* writer, vtkDataObject* data, const std::string& path)
-{
-  writer->SetInputData(data);
-  writer->SetFileName(path.c_str());
-  return writer->Write() != 0 && writer->GetErrorCode() == 0;
-}
-
-/// Reads the file back, because the writer does not detect a full disk.
-bool WriteColors(vtkPolyData* mesh, const std::string& path)
-{
-  vtkNew<vtkPLYWriter> writer;
-  writer->SetArrayName("Baked");
-  if (!Write(writer.Get(), mesh, path))
-  {
-    return false;
-  }
-  try
-  {
-    ReadPly(path);
-    return true;
-  }
-  catch (const CommandError&)
-  {
-    return false;
-  }
-}
-
 bool WriteAs(const std::string& extension, vtkPolyData* mesh, const std::string& quantity,
-  const std::string& path)
+  const std::string& path, std::vector<std::string>& warnings)
 {
-  if (extension == ".vtp")
-  {
-    return Write(vtkNew<vtkXMLPolyDataWriter>().Get(), mesh, path);
-  }
-  if (extension == ".vtk")
-  {
-    vtkNew<vtkPolyDataWriter> writer;
-    writer->SetFileTypeToBinary();
-    return Write(writer.Get(), mesh, path);
-  }
   if (extension == ".ply")
   {
     AddColors(mesh, quantity);
-    return WriteColors(mesh, path);
+    return WritePly(mesh, "Baked", path);
   }
-  vtkNew<vtkAppendFilter> convert;
-  convert->SetInputData(mesh);
-  convert->Update();
-  return Write(vtkNew<vtkXMLUnstructuredGridWriter>().Get(), convert->GetOutput(), path);
+  return WriteMesh(extension, mesh, path, warnings);
 }
 
 void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
@@ -372,7 +325,8 @@ int Bake(const BakeOptions& options, std::vector<std::string> warnings, Clock::t
   EnterPhase("writing " + options.Output, Unavailable);
   lap = Clock::now();
   vtkPolyData* baked = vtkPolyData::SafeDownCast(filter->GetOutput());
-  if (!WriteAs(LowerExtension(options.Output), baked, options.Quantity, output.TemporaryPath()))
+  if (!WriteAs(
+        LowerExtension(options.Output), baked, options.Quantity, output.TemporaryPath(), warnings))
   {
     output.Fail("the file is incomplete; check the free disk space");
   }

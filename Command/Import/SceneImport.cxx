@@ -17,6 +17,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkReverseSense.h"
@@ -32,6 +33,19 @@ namespace penumbra
 namespace
 {
 
+/// Removes point arrays of another length, such as normals of polygons, which VTK's VRML importer adds.
+void RemoveOtherArrays(vtkPolyData* mesh)
+{
+  vtkPointData* const arrays = mesh->GetPointData();
+  for (int i = arrays->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (arrays->GetAbstractArray(i)->GetNumberOfTuples() != mesh->GetNumberOfPoints())
+    {
+      arrays->RemoveArray(i);
+    }
+  }
+}
+
 /// Returns the surface of an actor in world coordinates; null: it has none.
 vtkSmartPointer<vtkPolyData> ExtractSurface(vtkActor* actor)
 {
@@ -42,6 +56,10 @@ vtkSmartPointer<vtkPolyData> ExtractSurface(vtkActor* actor)
   }
   mapper->Update();
   auto* mesh = vtkPolyData::SafeDownCast(mapper->GetInput());
+  if (mesh)
+  {
+    RemoveOtherArrays(mesh);
+  }
   vtkMatrix4x4* matrix = actor->GetMatrix();
   if (!mesh || mesh->GetNumberOfPoints() == 0 || matrix->IsIdentity())
   {

@@ -13,6 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataReader.h"
+#include "vtkPolyDataWriter.h"
 #include "vtkSphereSource.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
@@ -101,6 +102,65 @@ TEST(Bake, WritesSameValuesToEveryFormat)
   vtkDataArray* colors = reader->GetOutput()->GetPointData()->GetScalars();
   ASSERT_TRUE(colors);
   EXPECT_EQ(colors->GetComponent(7, 0), 255.0);
+}
+
+TEST(Bake, KeepsUnusualNamesOfArrays)
+{
+  const Folder folder("bake-names");
+  const std::vector<std::string> names = { "a<b> & \"c\" 'd'", "\xcf\x83_xx [MPa]", "line\nbreak",
+    "\xe6\xb8\xa9\xe5\xba\xa6", "%s 100%" };
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  vtkPolyData* const mesh = sphere->GetOutput();
+  const auto add = [mesh](const std::string& name) {
+    vtkNew<vtkFloatArray> array;
+    array->SetName(name.c_str());
+    array->SetNumberOfTuples(mesh->GetNumberOfPoints());
+    array->Fill(1.0);
+    mesh->GetPointData()->AddArray(array);
+  };
+  const auto bake = [&folder, mesh](const std::string& name) {
+    vtkNew<vtkPolyDataWriter> writer;
+    writer->SetInputData(mesh);
+    writer->SetFileName((folder / "input.vtk").c_str());
+    writer->Write();
+    return RunProgram({ "bake", folder / "input.vtk", "--output", folder / name });
+  };
+  std::for_each(names.begin(), names.end(), add);
+  for (const char* output : { "baked.vtp", "baked.vtu", "baked.vtk" })
+  {
+    const ProgramResult outcome = bake(output);
+    ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+    EXPECT_EQ(outcome.Errors, "") << output;
+  }
+  for (const std::string& name : names)
+  {
+    EXPECT_TRUE(ValuesIn<vtkXMLPolyDataReader>(folder / "baked.vtp", name.c_str())) << name;
+    EXPECT_TRUE(ValuesIn<vtkXMLUnstructuredGridReader>(folder / "baked.vtu", name.c_str())) << name;
+    EXPECT_TRUE(ValuesIn<vtkPolyDataReader>(folder / "baked.vtk", name.c_str())) << name;
+  }
+}
+
+TEST(Bake, ReplacesNamesThatTheFormatDoesNotAllow)
+{
+  const Folder folder("bake-replaced-names");
+  const std::string mesh = "# vtk DataFile Version 4.2\nx\nASCII\nDATASET POLYDATA\n"
+                           "POINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\n"
+                           "POINT_DATA 3\nFIELD FieldData 2\n{x} 1 3 float\n1 1 1\n"
+                           "a%01 1 3 float\n1 1 1\n";
+  WriteText(folder / "input.vtk", mesh);
+  const auto bake = [&folder](const std::string& name) {
+    const ProgramResult outcome =
+      RunProgram({ "bake", folder / "input.vtk", "--output", folder / name });
+    EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
+    EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+    EXPECT_NE(outcome.Errors.find("is written as"), std::string::npos) << outcome.Errors;
+  };
+  bake("baked.vtk");
+  EXPECT_TRUE(ValuesIn<vtkPolyDataReader>(folder / "baked.vtk", "(x)"));
+  bake("baked.vtp");
+  EXPECT_TRUE(ValuesIn<vtkXMLPolyDataReader>(folder / "baked.vtp", "a?"));
+  EXPECT_TRUE(ValuesIn<vtkXMLPolyDataReader>(folder / "baked.vtp", "{x}"));
 }
 
 TEST(Bake, WritesStatistics)

@@ -465,6 +465,29 @@ TEST(OtherScenes, MaterialsOfVrmlMatchVTK)
   ExpectReference(folder, "scene.png", RenderWithVTK<vtkVRMLImporter>(folder / "scene.wrl"));
 }
 
+TEST(OtherScenes, NormalsOfVrmlPolygonsAreNotThoseOfPoints)
+{
+  const Folder folder("vrml-normals");
+  const std::string square = "#VRML V2.0 utf8\nShape { geometry IndexedFaceSet {\n"
+                             "coord Coordinate { point [ 0 0 0, 1 0 0, 1 1 0, 0 1 0 ] }\n";
+  WriteText(folder / "without.wrl", square + "coordIndex [ 0 1 2 3 -1 ] } }\n");
+  WriteText(folder / "polygon.wrl",
+    square +
+      "normal Normal { vector [ 0 0 1 ] } normalPerVertex FALSE coordIndex [ 0 1 2 3 -1 ] } }\n");
+  WriteText(folder / "corners.wrl",
+    square +
+      "normal Normal { vector [ 0 0 1 ] } normalIndex [ 0 0 0 0 -1 ] coordIndex [ 0 1 2 3 -1 ] } "
+      "}\n");
+  for (const std::string name : { "without", "polygon", "corners" })
+  {
+    const ProgramResult outcome = Render(folder, { name + ".wrl" }, name + ".png", CameraOptions);
+    ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+    EXPECT_EQ(outcome.Errors, "");
+    EXPECT_EQ(Compare(folder / "without.png", folder / name + ".png")["metrics"]["max"], 0.0)
+      << name;
+  }
+}
+
 TEST(OtherScenes, DamagedFilesAreRefusedInOneLine)
 {
   const Folder folder("damaged");
