@@ -12,7 +12,7 @@ set(penumbra_vtk_components
   ChartsCore CommonCore CommonDataModel CommonExecutionModel CommonColor CommonMath CommonTransforms
   FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
   FiltersHybrid FiltersTexture
-  ImagingCore ImagingSources InteractionStyle IOCore IOGeometry IOImage IOLegacy IOParallelXML IOPLY IOXML IOImport IOExodus IOEnSight ParallelCore
+  ImagingCore ImagingSources InteractionStyle InteractionWidgets IOCore IOGeometry IOImage IOLegacy IOParallelXML IOPLY IOXML IOImport IOExodus IOEnSight ParallelCore
   RenderingAnnotation RenderingContext2D RenderingCore RenderingFreeType RenderingOpenGL2 RenderingLabel
   RenderingContextOpenGL2 RenderingVolume RenderingVolumeOpenGL2 vtksys)
 set(penumbra_vtk_readers IOCGNSReader IOHDF IOXdmf2)

@@ -10,6 +10,7 @@
 #include "vtkCompositePolyDataMapper.h"
 #include "vtkCubeSource.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkImageProperty.h"
@@ -212,6 +213,39 @@ void AddBlocks(vtkRenderer* renderer)
   attributes->SetBlockColor(blocks->GetBlock(1), blue);
   attributes->SetBlockVisibility(blocks->GetBlock(2), false);
   attributes->SetBlockOpacity(blocks->GetBlock(3), 0.4);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  renderer->AddActor(actor);
+}
+
+void AddBlockWithoutScalars(vtkRenderer* renderer)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakePlane());
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(0.3);
+  sphere->SetThetaResolution(24);
+  blocks->SetBlock(1, Make(sphere.Get()));
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Values");
+  for (vtkIdType i = 0; i < MakePlane()->GetNumberOfPoints(); ++i)
+  {
+    values->InsertNextValue(static_cast<double>(i % 3));
+  }
+  vtkPolyData::SafeDownCast(blocks->GetBlock(0))->GetPointData()->AddArray(values);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  vtkNew<vtkCompositePolyDataMapper> mapper;
+#else
+  vtkNew<vtkCompositePolyDataMapper2> mapper;
+#endif
+  mapper->SetInputDataObject(blocks);
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray("Values");
+  mapper->SetScalarRange(0.0, 2.0);
+  vtkNew<vtkLookupTable> table;
+  table->SetNanColor(0.9, 0.2, 0.7, 1.0);
+  mapper->SetLookupTable(table);
+  mapper->SetColorMissingArraysWithNanColor(true);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   renderer->AddActor(actor);

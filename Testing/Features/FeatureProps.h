@@ -54,6 +54,9 @@ vtkActor* AddWrapped(vtkRenderer* renderer);
 /// Adds a composite data set whose blocks differ in color, visibility and opacity.
 void AddBlocks(vtkRenderer* renderer);
 
+/// Adds a composite data set of which one block lacks the array of colors.
+void AddBlockWithoutScalars(vtkRenderer* renderer);
+
 /// Adds a composite data set with a textured block. Requires VTK 9.3.
 void AddTexturedBlock(vtkRenderer* renderer);
 

@@ -15,6 +15,7 @@
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkConeSource.h"
+#include "vtkCoordinate.h"
 #include "vtkCubeAxesActor.h"
 #include "vtkCylinderSource.h"
 #include "vtkFloatArray.h"
@@ -24,11 +25,13 @@
 #include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkLookupTable.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPropAssembly.h"
 #include "vtkProperty.h"
 #include "vtkScalarBarActor.h"
 #include "vtkStripper.h"
@@ -182,6 +185,7 @@ void AddGeometry(SceneList& add)
     r->AddActor(actor);
     Look(r);
   });
+  add(Feature::Blocks, [](Renderer r, Window) { AddBlockWithoutScalars(r); });
   add(Feature::Blocks, [](Renderer r, Window) {
     AddBlocks(r);
     r->SetUseDepthPeeling(true);
@@ -189,6 +193,17 @@ void AddGeometry(SceneList& add)
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
   add(Feature::BlockTextures, [](Renderer r, Window) { AddTexturedBlock(r); });
 #endif
+  add(Feature::Assemblies, [](Renderer r, Window) { // coordinates are divided by the last element
+    vtkNew<vtkMatrix4x4> matrix;
+    matrix->SetElement(0, 3, 0.5);
+    matrix->SetElement(1, 3, 0.3);
+    matrix->SetElement(3, 3, 2.0);
+    Add(r, MakePlane(4));
+    vtkActor* half = Add(r, MakePlane(4));
+    half->SetUserMatrix(matrix);
+    half->SetPosition(0.0, 0.0, 0.2);
+    half->GetProperty()->SetColor(0.2, 0.6, 0.9);
+  });
   add(Feature::GhostCells, [](Renderer r, Window) { AddGhosts(r); });
   add(Feature::PointShape, [](Renderer r, Window) {
     vtkActor* actor = Add(r, MakePointGrid());
@@ -334,6 +349,19 @@ void AddImagesAndAnnotations(SceneList& add)
     text->SetPosition(10, 20);
     StyleText(text->GetTextProperty());
     r->AddViewProp(text);
+  });
+  add(Feature::TextActors, [](Renderer r, Window) { // in an assembly
+    vtkNew<vtkTextActor> text;
+    text->SetInput("Part");
+    text->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+    text->GetPositionCoordinate()->SetValue(-0.3, 0.1, 0.0);
+    StyleText(text->GetTextProperty());
+    vtkNew<vtkPropAssembly> assembly;
+    vtkActor* plane = Add(r, MakePlane(2));
+    assembly->AddPart(plane);
+    r->RemoveActor(plane);
+    assembly->AddPart(text);
+    r->AddViewProp(assembly);
   });
   add(
     Feature::ScalarBars,
@@ -512,6 +540,7 @@ std::vector<FeatureScene> MakeFeatureScenes()
   AddMaterialScenes(list.Scenes);
   AddRendererScenes(list.Scenes);
   AddOtherProps(list);
+  AddWidgets(list);
   AddCoincident(list);
   AddEdges(list);
   AddEnvironments(list);

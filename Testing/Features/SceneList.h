@@ -43,4 +43,7 @@ void AddEnvironments(SceneList& add);
 /// Adds scenes of labels of visible points.
 void AddVisiblePoints(SceneList& add);
 
+/// Adds scenes of widgets, 2-D charts, and actors of lights and cameras.
+void AddWidgets(SceneList& add);
+
 #endif

@@ -8,8 +8,13 @@
 #include "vtkActor2D.h"
 #include "vtkAppendPolyData.h"
 #include "vtkAxisActor.h"
+#include "vtkBrush.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkContext2D.h"
+#include "vtkContextActor.h"
+#include "vtkContextItem.h"
+#include "vtkContextScene.h"
 #include "vtkImageData.h"
 #include "vtkImageMapper3D.h"
 #include "vtkImageSlice.h"
@@ -68,6 +73,23 @@ public:
   double* GetBounds() override { return this->Bounds; }
 };
 vtkStandardNewMacro(OtherImageMapper);
+
+/// Item of a chart with a texture.
+class TexturedItem : public vtkContextItem
+{
+public:
+  static TexturedItem* New();
+  vtkTypeMacro(TexturedItem, vtkContextItem);
+  bool Paint(vtkContext2D* painter) override
+  {
+    vtkSmartPointer<vtkImageData> image = MakeImage(4, 4);
+    painter->GetBrush()->SetTexture(image);
+    painter->DrawRect(2.f, 2.f, 20.f, 20.f);
+    painter->GetBrush()->SetTexture(nullptr);
+    return true;
+  }
+};
+vtkStandardNewMacro(TexturedItem);
 
 /// Render pass that draws nothing.
 class EmptyPass : public vtkRenderPass
@@ -157,6 +179,11 @@ void AddPropScenes(std::vector<WarningScene>& scenes)
     vtkNew<vtkActor2D> labels;
     labels->SetMapper(mapper);
     renderer->AddViewProp(labels);
+  });
+  add(Feature::ChartTextures, "vtkOpenGLContextActor", [](vtkRenderer* renderer) {
+    vtkNew<vtkContextActor> actor;
+    actor->GetScene()->AddItem(vtkNew<TexturedItem>());
+    renderer->AddViewProp(actor);
   });
   add(Feature::AxisActors, "vtkAxisActor",
     [](vtkRenderer* renderer) { renderer->AddActor(vtkNew<vtkAxisActor>()); });

@@ -3,6 +3,7 @@
 #include "AnnotationCopies.h"
 
 #include "OverlayRecorder.h"
+#include "WidgetCopies.h"
 
 #include "vtkActor2D.h"
 #include "vtkAxisActor2D.h"
@@ -33,13 +34,6 @@ vtkSmartPointer<vtkTextProperty> Copy(vtkTextProperty* from)
   auto to = vtkSmartPointer<vtkTextProperty>::New();
   to->ShallowCopy(from);
   return to;
-}
-
-void CopyCoordinate(vtkCoordinate* from, vtkCoordinate* to)
-{
-  to->SetCoordinateSystem(from->GetCoordinateSystem());
-  to->SetReferenceCoordinate(from->GetReferenceCoordinate());
-  to->SetValue(from->GetValue());
 }
 
 /// Copies position and appearance. vtkActor2D::ShallowCopy() shares the property and copies the
@@ -242,6 +236,13 @@ vtkSmartPointer<vtkProp> CopyPlain(vtkProp* prop)
 
 }
 
+void CopyCoordinate(vtkCoordinate* from, vtkCoordinate* to)
+{
+  to->SetCoordinateSystem(from->GetCoordinateSystem());
+  to->SetReferenceCoordinate(from->GetReferenceCoordinate());
+  to->SetValue(from->GetValue());
+}
+
 vtkSmartPointer<vtkProp> CopyAnnotation(vtkProp* prop)
 {
   using CopyFunction = vtkSmartPointer<vtkProp> (*)(vtkProp*);
@@ -254,7 +255,7 @@ vtkSmartPointer<vtkProp> CopyAnnotation(vtkProp* prop)
       return result;
     }
   }
-  return nullptr;
+  return CopyWidget(prop);
 }
 
 }

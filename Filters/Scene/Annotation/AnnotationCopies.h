@@ -7,10 +7,14 @@
 
 #include "vtkSmartPointer.h"
 
+class vtkCoordinate;
 class vtkProp;
 
 namespace penumbra
 {
+
+/// Copies the value and the systems of a coordinate.
+void CopyCoordinate(vtkCoordinate* from, vtkCoordinate* to);
 
 /// Returns a copy of a 2-D prop with its settings, or null if its class or its mapper is not
 /// supported. Call it while an OverlayRecorder exists.

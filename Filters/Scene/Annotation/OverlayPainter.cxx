@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OverlayPainter.h"
 
+#include "vtkUnsignedCharArray.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -75,6 +77,28 @@ glm::vec4 OverlayTexels::Sample(glm::dvec2 coordinates) const
   const glm::vec2 t = glm::fract(p);
   return glm::mix(glm::mix(texel(p.x, p.y), texel(p.x + 1.0, p.y), t.x),
     glm::mix(texel(p.x, p.y + 1.0), texel(p.x + 1.0, p.y + 1.0), t.x), t.y);
+}
+
+OverlayTexels ConvertTexels(vtkUnsignedCharArray* colors, const int size[2])
+{
+  OverlayTexels texels;
+  const auto count = static_cast<std::size_t>(size[0]) * size[1];
+  const int components = colors->GetNumberOfComponents();
+  if (static_cast<std::size_t>(colors->GetNumberOfTuples()) < count || components > 4)
+  {
+    return texels;
+  }
+  texels.Width = size[0];
+  texels.Height = size[1];
+  texels.Texels.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const unsigned char* c = colors->GetPointer(static_cast<vtkIdType>(i) * components);
+    const bool isGray = components < 3;
+    texels.Texels[i] = { c[0], isGray ? c[0] : c[1], isGray ? c[0] : c[2],
+      components % 2 == 0 ? c[components - 1] : static_cast<unsigned char>(255) };
+  }
+  return texels;
 }
 
 void FillPolygon(const std::vector<glm::dvec2>& corners, glm::vec4 color, Overlay& overlay)

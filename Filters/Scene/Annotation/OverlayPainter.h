@@ -12,6 +12,8 @@
 
 #include <vector>
 
+class vtkUnsignedCharArray;
+
 namespace penumbra
 {
 
@@ -26,6 +28,9 @@ struct OverlayTexels
   /// Returns the color at texture coordinates in [0, 1]; others are clamped.
   glm::vec4 Sample(glm::dvec2 coordinates) const;
 };
+
+/// Converts an image of 1 to 4 components (luminance, luminance and alpha, RGB, RGBA).
+OverlayTexels ConvertTexels(vtkUnsignedCharArray* colors, const int size[2]);
 
 /// Corner of a triangle.
 struct OverlayVertex

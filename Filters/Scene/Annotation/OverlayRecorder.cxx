@@ -63,29 +63,6 @@ void CopyInput(vtkAlgorithm* from, vtkAlgorithm* to)
   }
 }
 
-/// Converts an image of 1 to 4 components (luminance, luminance and alpha, RGB, RGBA).
-OverlayTexels ConvertTexels(vtkUnsignedCharArray* colors, const int size[2])
-{
-  OverlayTexels texels;
-  const auto count = static_cast<std::size_t>(size[0]) * size[1];
-  const int components = colors->GetNumberOfComponents();
-  if (static_cast<std::size_t>(colors->GetNumberOfTuples()) < count || components > 4)
-  {
-    return texels;
-  }
-  texels.Width = size[0];
-  texels.Height = size[1];
-  texels.Texels.resize(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const unsigned char* c = colors->GetPointer(static_cast<vtkIdType>(i) * components);
-    const bool isGray = components < 3;
-    texels.Texels[i] = { c[0], isGray ? c[0] : c[1], isGray ? c[0] : c[2],
-      components % 2 == 0 ? c[components - 1] : static_cast<unsigned char>(255) };
-  }
-  return texels;
-}
-
 /// Returns the texels of a texture; empty if it has no image.
 OverlayTexels FindTexels(vtkTexture* texture)
 {

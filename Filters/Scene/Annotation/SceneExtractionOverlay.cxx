@@ -3,18 +3,22 @@
 #include "SceneExtractionOverlay.h"
 
 #include "AnnotationCopies.h"
+#include "ChartPainter.h"
 #include "Features/SceneFeatures.h"
 #include "OverlayRecorder.h"
 #include "Scene.h"
 #include "SceneExtractionScalarBar.h"
+#include "WidgetCopies.h"
 
 #include "vtkActor2D.h"
 #include "vtkAxesActor.h"
 #include "vtkCaptionActor2D.h"
+#include "vtkContextActor.h"
 #include "vtkCoordinate.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPropAssembly.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty2D.h"
 #include "vtkRenderer.h"
@@ -137,11 +141,53 @@ void DrawAnnotation(
   }
 }
 
+/// Draws the 2-D props and those in assemblies. Returns false if VTK cannot render text.
+bool DrawOverlays(vtkPropCollection* props, vtkRenderer* renderer, int dpi,
+  const DepthQuery& findDepths, Scene& scene)
+{
+  vtkCollectionSimpleIterator position;
+  bool drawn = true;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
+  {
+    if (!prop->GetVisibility())
+    {
+      continue;
+    }
+    if (auto* assembly = vtkPropAssembly::SafeDownCast(prop))
+    {
+      drawn = DrawOverlays(assembly->GetParts(), renderer, dpi, findDepths, scene) && drawn;
+    }
+    else if (auto* text = vtkTextActor::SafeDownCast(prop))
+    {
+      drawn = DrawTextActor(text, dpi, scene) && drawn;
+    }
+    else if (auto* axes = vtkAxesActor::SafeDownCast(prop))
+    {
+      drawn = DrawAxesLabels(axes, dpi, scene) && drawn;
+    }
+    else if (auto* bar = vtkScalarBarActor::SafeDownCast(prop))
+    {
+      drawn = DrawScalarBar(bar, renderer, dpi, scene) && drawn;
+    }
+    else if (auto* chart = vtkContextActor::SafeDownCast(prop))
+    {
+      PaintChart(chart, renderer, dpi, scene);
+    }
+    else if (IsOverlay(prop))
+    {
+      DrawAnnotation(prop, renderer, dpi, findDepths, scene);
+    }
+  }
+  return drawn;
+}
+
 }
 
 bool IsOverlay(vtkProp* prop)
 {
-  return vtkActor2D::SafeDownCast(prop) || prop->IsA("vtkLegendScaleActor");
+  return vtkActor2D::SafeDownCast(prop) || prop->IsA("vtkLegendScaleActor") ||
+    vtkContextActor::SafeDownCast(prop) || IsOverlayWidget(prop);
 }
 
 glm::dvec2 ComputePixelPosition(vtkCoordinate* coordinate, const Scene& scene)
@@ -243,34 +289,7 @@ bool DrawText(
 
 void ExtractOverlay(vtkRenderer* renderer, int dpi, const DepthQuery& findDepths, Scene& scene)
 {
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator position;
-  bool drawn = true;
-  props->InitTraversal(position);
-  while (vtkProp* prop = props->GetNextProp(position))
-  {
-    if (!prop->GetVisibility())
-    {
-      continue;
-    }
-    if (auto* text = vtkTextActor::SafeDownCast(prop))
-    {
-      drawn = DrawTextActor(text, dpi, scene) && drawn;
-    }
-    else if (auto* axes = vtkAxesActor::SafeDownCast(prop))
-    {
-      drawn = DrawAxesLabels(axes, dpi, scene) && drawn;
-    }
-    else if (auto* bar = vtkScalarBarActor::SafeDownCast(prop))
-    {
-      drawn = DrawScalarBar(bar, renderer, dpi, scene) && drawn;
-    }
-    else if (IsOverlay(prop))
-    {
-      DrawAnnotation(prop, renderer, dpi, findDepths, scene);
-    }
-  }
-  if (!drawn)
+  if (!DrawOverlays(renderer->GetViewProps(), renderer, dpi, findDepths, scene))
   {
     scene.Warnings.emplace_back(
       "Text was skipped because VTK cannot render it. Link VTK::RenderingFreeType.");

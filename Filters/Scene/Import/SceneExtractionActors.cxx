@@ -64,6 +64,7 @@ Feature FindRefusedFeature(vtkProp* prop)
   return prop->IsA("vtkAxisActor") ? Feature::AxisActors : Feature::OtherProps;
 }
 
+/// Converts a matrix whose last element, by which coordinates are divided, need not be 1.
 glm::dmat4 ToMatrix(vtkMatrix4x4* from)
 {
   glm::dmat4 result(1.0);
@@ -74,7 +75,7 @@ glm::dmat4 ToMatrix(vtkMatrix4x4* from)
       result[j][i] = from->GetElement(i, j);
     }
   }
-  return result;
+  return result[3][3] == 0.0 || result[3][3] == 1.0 ? result : result / result[3][3];
 }
 
 std::vector<glm::dvec4> ToPlanes(vtkPlaneCollection* from)
@@ -170,7 +171,8 @@ private:
   void AddLeaf(vtkProp* prop, vtkMatrix4x4* matrix)
   {
     auto* actor = vtkActor::SafeDownCast(prop);
-    if (!prop->GetVisibility() || IsBillboard(prop) || IsCubeAxes(prop) || IsSky(prop))
+    if (!prop->GetVisibility() || IsOverlay(prop) || IsBillboard(prop) || IsCubeAxes(prop) ||
+      IsSky(prop))
     {
       return;
     }

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionBlocks.h"
 
+#include "vtkColorTransferFunction.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositePolyDataMapper.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
+#include "vtkLookupTable.h"
 #include "vtkScalarsToColors.h"
 #include "vtkTexture.h"
 #include "vtkVersionMacros.h"
@@ -57,6 +59,55 @@ vtkCompositeDataDisplayAttributes* GetBlockAttributes(vtkMapper* mapper)
   }
 #endif
   return FindAttributes(vtkCompositePolyDataMapper::SafeDownCast(mapper), 0);
+}
+
+/// Returns true if blocks without the array of colors have the color of NaN. Until VTK 9.3, that is a
+/// setting of vtkCompositePolyDataMapper2.
+template <typename Mapper>
+auto ReadColorsMissing(Mapper* mapper, int) -> decltype(mapper->GetColorMissingArraysWithNanColor())
+{
+  return mapper && mapper->GetColorMissingArraysWithNanColor();
+}
+template <typename Mapper>
+bool ReadColorsMissing(Mapper*, long)
+{
+  return false;
+}
+
+bool ColorsMissing(vtkMapper* mapper)
+{
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+  if (auto* blocks = vtkCompositePolyDataMapper2::SafeDownCast(mapper))
+  {
+    return blocks->GetColorMissingArraysWithNanColor();
+  }
+#endif
+  return ReadColorsMissing(vtkCompositePolyDataMapper::SafeDownCast(mapper), 0);
+}
+
+/// Returns true if a block lacks the array that colors others.
+bool LacksScalars(vtkDataSet* block, ScalarMapper* scalars)
+{
+  int cellFlag = 0;
+  return scalars->GetScalarVisibility() &&
+    !vtkAbstractMapper::GetAbstractScalars(block, scalars->GetScalarMode(),
+      scalars->GetArrayAccessMode(), scalars->GetArrayId(), scalars->GetArrayName(), cellFlag);
+}
+
+/// Finds the color of NaN. Returns false if the colors have none.
+bool FindNanColor(vtkScalarsToColors* colors, vtkColor3d& color)
+{
+  if (auto* table = vtkLookupTable::SafeDownCast(colors))
+  {
+    color = vtkColor3d(table->GetNanColor());
+    return true;
+  }
+  if (auto* function = vtkColorTransferFunction::SafeDownCast(colors))
+  {
+    color = vtkColor3d(function->GetNanColor());
+    return true;
+  }
+  return false;
 }
 
 /// Applies the scalar attributes of a block (since VTK 9.3) to `scalars`. Returns false if there
@@ -140,9 +191,10 @@ vtkTexture* FindTexture(Attributes*, vtkDataObject*, long)
 class BlockVisitor
 {
 public:
-  BlockVisitor(vtkCompositeDataDisplayAttributes* attributes, const DrawItem& prototype,
-    std::vector<std::string>& warnings, const BlockFunction& callback)
-    : Attributes(attributes),
+  BlockVisitor(vtkMapper* mapper, const DrawItem& prototype, std::vector<std::string>& warnings,
+    const BlockFunction& callback)
+    : Attributes(GetBlockAttributes(mapper)),
+      ColorsMissingArrays(ColorsMissing(mapper)),
       Prototype(prototype),
       Warnings(warnings),
       Callback(callback)
@@ -213,8 +265,12 @@ private:
     }
   }
 
-  void Draw(vtkDataSet* leaf, const BlockState& state) const
+  void Draw(vtkDataSet* leaf, BlockState state) const
   {
+    if (this->ColorsMissingArrays && state.Scalars && LacksScalars(leaf, state.Scalars))
+    {
+      state.HasColor |= FindNanColor(state.Scalars->GetLookupTable(), state.Color);
+    }
     DrawItem item = this->Prototype;
     if (state.HasColor || state.HasOpacity)
     {
@@ -251,6 +307,7 @@ private:
   }
 
   vtkCompositeDataDisplayAttributes* Attributes;
+  const bool ColorsMissingArrays;
   const DrawItem& Prototype;
   std::vector<std::string>& Warnings;
   const BlockFunction& Callback;
@@ -261,10 +318,9 @@ private:
 void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const DrawItem& prototype,
   ScalarMapper* scalars, std::vector<std::string>& warnings, const BlockFunction& callback)
 {
-  vtkCompositeDataDisplayAttributes* attributes = GetBlockAttributes(mapper);
   BlockState state;
   state.Scalars = scalars;
-  BlockVisitor(attributes, prototype, warnings, callback).Visit(data, state);
+  BlockVisitor(mapper, prototype, warnings, callback).Visit(data, state);
 }
 
 vtkMTimeType GetBlockMTime(vtkCompositeDataSet* data, vtkMapper* mapper)

@@ -10,6 +10,7 @@
 #include "vtkAssembly.h"
 #include "vtkAxesActor.h"
 #include "vtkBillboardTextActor3D.h"
+#include "vtkCameraActor.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
@@ -18,6 +19,8 @@
 #include "vtkImageProperty.h"
 #include "vtkImageSliceMapper.h"
 #include "vtkLODProp3D.h"
+#include "vtkLight.h"
+#include "vtkLightActor.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
@@ -30,6 +33,7 @@
 #include "vtkTextActor3D.h"
 #include "vtkTextProperty.h"
 #include "vtkTextRenderer.h"
+#include "vtkWidgetRepresentation.h"
 
 #include <algorithm>
 #include <array>
@@ -53,6 +57,26 @@ struct SliceRectangle
 struct AxesAccess : public vtkAxesActor
 {
   static void Update(vtkAxesActor* axes) { (axes->*(&AxesAccess::UpdateProps))(); }
+};
+
+/// Updates and reads the parts of a vtkCameraActor, which have no public accessor.
+struct CameraAccess : public vtkCameraActor
+{
+  static vtkProp* FindPart(vtkCameraActor* actor)
+  {
+    (actor->*(&CameraAccess::UpdateViewProps))();
+    return actor->*(&CameraAccess::FrustumActor);
+  }
+};
+
+/// The same for the cone and the frustum of a spotlight.
+struct LightAccess : public vtkLightActor
+{
+  static std::array<vtkProp*, 2> FindParts(vtkLightActor* actor)
+  {
+    (actor->*(&LightAccess::UpdateViewProps))();
+    return { actor->*(&LightAccess::ConeActor), actor->*(&LightAccess::FrustumActor) };
+  }
 };
 
 /// Reads the levels of a vtkLODProp3D, which have no public accessor by index.
@@ -350,6 +374,37 @@ bool CollectParts(vtkProp* prop, vtkPropCollection* parts)
   if (auto* cube = vtkAnnotatedCubeActor::SafeDownCast(prop))
   {
     parts->AddItem(cube->GetAssembly());
+    return true;
+  }
+  if (auto* camera = vtkCameraActor::SafeDownCast(prop))
+  {
+    if (vtkProp* part = camera->GetCamera() ? CameraAccess::FindPart(camera) : nullptr)
+    {
+      parts->AddItem(part);
+    }
+    return true;
+  }
+  if (auto* light = vtkLightActor::SafeDownCast(prop))
+  {
+    // Only spotlights are shown.
+    vtkLight* shown = light->GetLight();
+    if (shown && shown->GetPositional() && shown->GetConeAngle() < 180.0)
+    {
+      for (vtkProp* part : LightAccess::FindParts(light))
+      {
+        if (part)
+        {
+          parts->AddItem(part);
+        }
+      }
+    }
+    return true;
+  }
+  if (prop->IsA("vtkCameraOrientationRepresentation"))
+  {
+    auto* widget = vtkWidgetRepresentation::SafeDownCast(prop);
+    widget->BuildRepresentation();
+    widget->GetActors(parts);
     return true;
   }
   return false;

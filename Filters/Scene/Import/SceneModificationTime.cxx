@@ -6,6 +6,7 @@
 #include "SceneExtractionBlocks.h"
 #include "SceneExtractionProps.h"
 
+#include "vtkAbstractContextItem.h"
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkAssemblyNode.h"
@@ -16,6 +17,8 @@
 #include "vtkCaptionActor2D.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkContextActor.h"
+#include "vtkContextScene.h"
 #include "vtkCoordinate.h"
 #include "vtkCornerAnnotation.h"
 #include "vtkCubeAxesActor.h"
@@ -141,6 +144,10 @@ public:
       while (vtkAssemblyNode* node = path->GetNextNode(position))
       {
         this->AddTransform(node->GetViewProp());
+      }
+      if (vtkProp* leaf = path->GetLastNode()->GetViewProp(); leaf != prop)
+      {
+        this->AddOverlay(leaf);
       }
       if (auto* actor = vtkActor::SafeDownCast(path->GetLastNode()->GetViewProp()))
       {
@@ -318,6 +325,14 @@ private:
     {
       this->AddAnnotation(actor);
     }
+    else if (auto* chart = vtkContextActor::SafeDownCast(prop))
+    {
+      this->Add(chart->GetScene());
+      for (unsigned int i = 0; i < chart->GetScene()->GetNumberOfItems(); ++i)
+      {
+        this->AddItems(chart->GetScene()->GetItem(i));
+      }
+    }
     else if (auto* scale = vtkLegendScaleActor::SafeDownCast(prop))
     {
       this->Add(scale->GetLegendTitleProperty());
@@ -327,6 +342,15 @@ private:
       {
         this->AddAxis(side);
       }
+    }
+  }
+
+  void AddItems(vtkAbstractContextItem* item)
+  {
+    this->Add(item);
+    for (vtkIdType i = 0; i < item->GetNumberOfItems(); ++i)
+    {
+      this->AddItems(item->GetItem(i));
     }
   }
 
