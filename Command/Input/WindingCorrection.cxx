@@ -6,6 +6,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -20,13 +21,38 @@ namespace penumbra
 namespace
 {
 
-/// Returns whether most polygons, by area, face away from their point normals.
+/// Returns whether the transform of the node mirrors the mesh.
+bool IsMirrored(vtkPolyData* mesh)
+{
+  vtkDataArray* const matrix = mesh->GetFieldData()->GetArray("globalTransform");
+  if (!matrix || matrix->GetNumberOfValues() < 16)
+  {
+    return false;
+  }
+  const int components = matrix->GetNumberOfComponents();
+  double rows[3][3];
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      rows[i][j] = matrix->GetComponent((4 * i + j) / components, (4 * i + j) % components);
+    }
+  }
+  return vtkMath::Determinant3x3(rows[0], rows[1], rows[2]) < 0.0;
+}
+
+/// Returns whether most polygons, by area, face away from their point normals; without normals, whether
+/// the mesh is mirrored.
 bool FacesAway(vtkPolyData* mesh)
 {
   vtkDataArray* normals = mesh->GetPointData()->GetNormals();
-  if (!normals || mesh->GetNumberOfPolys() == 0)
+  if (mesh->GetNumberOfPolys() == 0)
   {
     return false;
+  }
+  if (!normals)
+  {
+    return IsMirrored(mesh);
   }
   double agreement = 0.0;
   vtkNew<vtkIdList> corners;

@@ -13,8 +13,9 @@ class vtkDataObject;
 namespace penumbra
 {
 
-/// Reverses the polygons of each data set in which most of them face away from their point normals.
-/// Lighting negates such normals. vtkGLTFReader leaves them where the transform of a node mirrors.
+/// Reverses the polygons of each data set in which most of them face away from their point normals, or,
+/// without normals, which the transform of its node mirrors. vtkGLTFReader leaves them as they are;
+/// lighting would negate the normals, and materials hide the front faces.
 void CorrectWindings(vtkAlgorithm* reader, const std::string& path, vtkDataObject* data);
 
 }
