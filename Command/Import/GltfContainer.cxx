@@ -56,6 +56,21 @@ std::string DecodeBase64(const std::string& text)
   return bytes;
 }
 
+/// The binary format of version 1 has one chunk of text, of the given length, and one of bytes.
+GltfContainer ReadBinaryVersion1(const MappedFile& file)
+{
+  constexpr std::size_t headerSize = 20;
+  GltfContainer parts;
+  if (file.Size() >= headerSize)
+  {
+    const std::size_t length = std::min<std::size_t>(WordAt(file, 12), file.Size() - headerSize);
+    const char* const text = file.Begin() + headerSize;
+    parts.Root = nlohmann::json::parse(text, text + length, nullptr, false);
+    parts.Binary.assign(text + length, file.End());
+  }
+  return parts;
+}
+
 }
 
 GltfContainer ReadGltf(const std::string& path)
@@ -67,7 +82,10 @@ GltfContainer ReadGltf(const std::string& path)
     parts.Root = nlohmann::json::parse(file.Begin(), file.End(), nullptr, false);
     return parts;
   }
-  parts.Version = WordAt(file, 4);
+  if (WordAt(file, 4) == 1)
+  {
+    return ReadBinaryVersion1(file);
+  }
   std::string text;
   for (std::size_t at = 12; at + 8 <= file.Size();)
   {
@@ -116,6 +134,19 @@ std::string WriteGlb(const nlohmann::json& root, const std::string& binary, cons
       path + ": its copy cannot be written to " + name + "; set TMPDIR to another folder");
   }
   return name;
+}
+
+std::size_t ComponentSize(int type)
+{
+  return type == 5120 || type == 5121 ? 1 : type == 5122 || type == 5123 ? 2 : 4;
+}
+
+std::size_t ElementSize(const nlohmann::json& accessor)
+{
+  static const nlohmann::json components = { { "SCALAR", 1 }, { "VEC2", 2 }, { "VEC3", 3 },
+    { "VEC4", 4 }, { "MAT2", 4 }, { "MAT3", 9 }, { "MAT4", 16 } };
+  return ComponentSize(accessor.at("componentType").get<int>()) *
+    components.at(accessor.at("type").get<std::string>()).get<std::size_t>();
 }
 
 std::string DecodeDataUri(const std::string& uri)

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cstdint>
+#include <cstddef>
 #include <string>
 
 namespace penumbra
@@ -15,12 +15,17 @@ namespace penumbra
 
 struct GltfContainer
 {
-  nlohmann::json Root;       ///< discarded if it is invalid
-  std::string Binary;        ///< chunk of a .glb file
-  std::uint32_t Version = 2; ///< of the .glb format
+  nlohmann::json Root; ///< discarded if it is invalid
+  std::string Binary;  ///< chunk of a .glb file
 };
 
 GltfContainer ReadGltf(const std::string& path);
+
+/// Size in bytes of a number of a `componentType`.
+std::size_t ComponentSize(int type);
+
+/// Size in bytes of an element of an accessor.
+std::size_t ElementSize(const nlohmann::json& accessor);
 
 /// Writes a temporary .glb file whose only buffer is `binary` and returns its path. Throws
 /// CommandError, naming the file at `path`, if it cannot be written.

@@ -8,6 +8,7 @@
 #include "Files/TemporaryFile.h"
 #include "GltfContainer.h"
 #include "GltfImages.h"
+#include "GltfVersion1.h"
 #include "Processes/CommandError.h"
 
 #include <nlohmann/json.hpp>
@@ -34,19 +35,12 @@ public:
   explicit Copy(const std::string& path)
     : Path(path),
       Source(ReadGltf(path)),
-      Root(Source.Root)
+      Root(Source.Root),
+      WasVersion1(IsVersion1(Root))
   {
-  }
-
-  /// Throws CommandError if the file is of version 1, whose lists are JSON objects.
-  void RefuseVersion1() const
-  {
-    const bool isText1 =
-      this->Root.is_object() && this->Root.contains("meshes") && this->Root["meshes"].is_object();
-    if (isText1 || this->Source.Version == 1)
+    if (this->WasVersion1)
     {
-      this->Fail("files of glTF 1 cannot be read; convert it to glTF 2, for example with "
-                 "gltf-pipeline");
+      this->Root = ConvertVersion1(this->Root);
     }
   }
 
@@ -65,7 +59,7 @@ public:
       const std::string uri = buffer.value("uri", std::string());
       return uri.find_first_of(" \\") != uri.npos && uri.compare(0, 5, "data:") != 0;
     });
-    return isSparse || isUnusual || this->Root.contains("images") ||
+    return this->WasVersion1 || isSparse || isUnusual || this->Root.contains("images") ||
       this->Root.contains("textures") || this->Root.contains("extensionsRequired");
   }
 
@@ -78,6 +72,7 @@ public:
     {
       this->MakeDense(accessor);
     }
+    this->AddEndsOfAnimations();
     this->RemoveExtensions();
   }
 
@@ -177,19 +172,6 @@ private:
     }
   }
 
-  static std::size_t ComponentSize(int type)
-  {
-    return type == 5120 || type == 5121 ? 1 : type == 5122 || type == 5123 ? 2 : 4;
-  }
-
-  static std::size_t ElementSize(const Json& accessor)
-  {
-    static const Json components = { { "SCALAR", 1 }, { "VEC2", 2 }, { "VEC3", 3 }, { "VEC4", 4 },
-      { "MAT2", 4 }, { "MAT3", 9 }, { "MAT4", 16 } };
-    return ComponentSize(accessor.at("componentType").get<int>()) *
-      components.at(accessor.at("type").get<std::string>()).get<std::size_t>();
-  }
-
   /// Copies `count` elements of a buffer view.
   std::string ReadElements(const Json& reference, std::size_t count, std::size_t size) const
   {
@@ -253,6 +235,29 @@ private:
     }
     accessor["bufferView"] = this->AddView(elements);
     accessor["byteOffset"] = 0;
+  }
+
+  /// Adds the largest time of animations, which version 2 requires and version 1 does not.
+  void AddEndsOfAnimations()
+  {
+    for (const Json& animation : this->List("animations"))
+    {
+      for (const Json& sampler : animation.at("samplers"))
+      {
+        Json& times = this->Root.at("accessors").at(sampler.at("input").get<std::size_t>());
+        const std::size_t count = times.at("count").get<std::size_t>();
+        if (times.contains("max") || times.at("componentType") != FloatType || count == 0)
+        {
+          continue;
+        }
+        const std::string bytes = this->ReadElements(times, count, sizeof(float));
+        std::vector<float> values(count);
+        std::memcpy(values.data(), bytes.data(), bytes.size());
+        const auto range = std::minmax_element(values.begin(), values.end());
+        times["min"] = Json::array({ *range.first });
+        times["max"] = Json::array({ *range.second });
+      }
+    }
   }
 
   /// Appends bytes to the buffer and returns the index of their view.
@@ -355,12 +360,15 @@ private:
     }
   }
 
+  static constexpr int FloatType = 5126; ///< of components, OpenGL's constant
+
   /// Elements that a sparse accessor may have without a buffer: 2^28, at most 16 GiB.
   static constexpr std::size_t MaximumSparseCount = std::size_t(1) << 28;
 
   const std::string& Path;
   GltfContainer Source;
   Json& Root;
+  const bool WasVersion1;
   std::string Joined; ///< all buffers
 };
 
@@ -371,7 +379,6 @@ std::string CopyGltf(const std::string& path, Appearance* appearance)
   try
   {
     Copy copy(path);
-    copy.RefuseVersion1();
     if (!copy.IsNeeded())
     {
       return {};
@@ -387,7 +394,7 @@ std::string CopyGltf(const std::string& path, Appearance* appearance)
   {
     throw CommandError(BadInput,
       path +
-        ": the file is damaged or not glTF 2: a value is missing or has a wrong type; export "
+        ": the file is damaged or not glTF: a value is missing or has a wrong type; export "
         "it again");
   }
 }

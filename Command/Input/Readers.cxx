@@ -139,7 +139,7 @@ std::vector<ReaderRow> MakeTable()
     { { ".ply" }, "Stanford polygons", "Penumbra", nullptr, ReadPly },
     { { ".obj" }, "Wavefront", "Penumbra", nullptr, ReadObj, nullptr, nullptr, nullptr, ImportObj },
     { { ".off" }, "Object File Format", "Penumbra", nullptr, ReadOff },
-    { { ".gltf", ".glb" }, "glTF 2", PENUMBRA_READER(vtkGLTFReader), nullptr, CorrectWindings,
+    { { ".gltf", ".glb" }, "glTF", PENUMBRA_READER(vtkGLTFReader), nullptr, CorrectWindings,
       CopyGltf, nullptr, ImportGltf },
     { { ".3ds" }, "3D Studio", "vtk3DSImporter", nullptr, Read3ds, nullptr, nullptr, nullptr,
       Import3ds },
