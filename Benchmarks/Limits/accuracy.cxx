@@ -5,9 +5,11 @@
 // fraction of tiles above the tolerance, fraction of these whose estimate is below their error,
 // fraction of tiles that are reported but below it, and ratio of estimate and error. With --effect,
 // the same with light effects. With --uniform, also the rays of uniform sampling with the same error.
+// With --ordinary, time and accuracy of scenes as applications show them.
 #include "BruteForce/ImageErrors.h"
 #include "BruteForce/RandomLight.h"
 #include "BruteForce/StratifiedReference.h"
+#include "OrdinaryScenes.h"
 #include "Scenes/AccuracyScenes.h"
 
 #include "vtkCamera.h"
@@ -15,12 +17,14 @@
 #include "vtkNew.h"
 #include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
@@ -36,6 +40,7 @@ struct Options
   double InverseTolerance = 256.0;
   int ReferenceSide = 24;
   bool Uniform = false;
+  bool Ordinary = false;
   std::string Effect = "none";
 };
 
@@ -191,6 +196,86 @@ Accuracy Measure(const AccuracyScene& scene, const Effect& effect, const Options
   return accuracy;
 }
 
+/// Returns the fastest of three casts.
+Answer CastThrice(vtkRenderer* renderer, double tolerance)
+{
+  Answer best;
+  for (int i = 0; i < 3; ++i)
+  {
+    Answer answer = Cast(renderer, OrdinaryImageWidth, OrdinaryImageHeight,
+      [=](vtkPenumbraRayCaster* caster) { caster->SetTolerance(tolerance); });
+    if (i == 0 || answer.Seconds < best.Seconds)
+    {
+      best = std::move(answer);
+    }
+  }
+  return best;
+}
+
+/// Returns the CPU time in which OpenGL renders the second frame of a window with 4x4 samples per
+/// pixel.
+double RenderWithOpenGL(vtkRenderer* renderer)
+{
+  vtkNew<vtkRenderWindow> window;
+  window->OffScreenRenderingOn();
+  window->SetMultiSamples(0);
+  window->SetSize(4 * OrdinaryImageWidth, 4 * OrdinaryImageHeight);
+  window->AddRenderer(renderer);
+  window->Render();
+  renderer->GetActiveCamera()->Azimuth(0.01);
+  const std::clock_t start = std::clock();
+  window->Render();
+  window->WaitForCompletion();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+/// Time and accuracy of scenes as applications show them, beside the same without lines,
+/// translucency and texture, and beside OpenGL.
+void MeasureOrdinaryScenes(const Options& options)
+{
+  const double tolerance = 1.0 / options.InverseTolerance;
+  std::printf(
+    "Tolerance 1/%g, %dx%d pixels, one thread, tiles of 16x16 pixels, %d reference samples per "
+    "pixel\n\n",
+    options.InverseTolerance, OrdinaryImageWidth, OrdinaryImageHeight,
+    2 * options.ReferenceSide * options.ReferenceSide);
+  std::printf(
+    "| scene | CPU s | / plain | VTK, 4x4 samples, CPU s | tiles above the tolerance, %% | "
+    "of all tiles, above and estimate below error, %% | estimate above it, %% | median estimate "
+    "/ error | RMSE |\n|---|---|---|---|---|---|---|---|---|\n");
+  for (const OrdinaryScene& scene : MakeOrdinaryScenes(PENUMBRA_SOURCE_DIR "/Data"))
+  {
+    if (scene.Name.find(options.Only) == std::string::npos)
+    {
+      continue;
+    }
+    vtkNew<vtkRenderer> plain;
+    scene.Plain(plain);
+    vtkNew<vtkRenderer> renderer;
+    scene.Build(renderer);
+    const double plainSeconds = CastThrice(plain, tolerance).Seconds;
+    const Answer answer = CastThrice(renderer, tolerance);
+    Accuracy accuracy;
+    double reported = 0.0;
+    if (options.ReferenceSide > 0)
+    {
+      const std::vector<TileAccuracy> tiles = CompareTiles(answer,
+        DrawStratified(
+          renderer, OrdinaryImageWidth, OrdinaryImageHeight, options.ReferenceSide, false),
+        OrdinaryImageWidth);
+      accuracy = Summarize(tiles, tolerance);
+      reported = static_cast<double>(std::count_if(tiles.begin(), tiles.end(),
+                   [=](const TileAccuracy& tile) { return tile.Estimate > tolerance; })) /
+        static_cast<double>(tiles.size());
+    }
+    std::printf("| %-44s | %6.3f | %5.1f | %6.3f | %5.2f | %5.2f | %5.2f | %5.2f | %.5f |\n",
+      scene.Name.c_str(), answer.Seconds, answer.Seconds / plainSeconds, RenderWithOpenGL(renderer),
+      100.0 * accuracy.AboveTolerance, 100.0 * accuracy.Misjudged, 100.0 * reported,
+      accuracy.MedianRatio, accuracy.Error);
+    std::fflush(stdout);
+  }
+}
+
 }
 
 int main(int count, char** arguments)
@@ -201,6 +286,7 @@ int main(int count, char** arguments)
     const std::string name = arguments[i];
     const char* value = i + 1 < count ? arguments[i + 1] : "";
     options.Uniform = options.Uniform || name == "--uniform";
+    options.Ordinary = options.Ordinary || name == "--ordinary";
     options.Only = name == "--only" ? value : options.Only;
     options.InverseTolerance =
       name == "--inverse-tolerance" ? std::atof(value) : options.InverseTolerance;
@@ -210,6 +296,11 @@ int main(int count, char** arguments)
   const auto isSelected = [&](const Effect& effect) {
     return options.Effect == "all" || options.Effect == effect.Name;
   };
+  if (options.Ordinary)
+  {
+    MeasureOrdinaryScenes(options);
+    return 0;
+  }
   if (std::none_of(GetEffects().begin(), GetEffects().end(), isSelected))
   {
     std::fprintf(stderr, "--effect: use none, occlusion, indirect, penumbrae, shafts or all\n");
