@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Edges of translucent surfaces and translucent wireframes: tiles within the tolerance or above it
-// with an estimate that says so, at a cost near that of opaque ones. The reference has 29 x 29 rays per pixel.
+// Edges of translucent surfaces, translucent wireframes and lines whose order of drawing decides what is
+// visible: tiles within the tolerance or above it with an estimate that says so, at a cost near that of
+// opaque ones. The reference has 29 x 29 rays per pixel.
 #include "BruteForce/StratifiedReference.h"
 #include "Scenes/AccuracyScenes.h"
 #include "Scenes/TestScene.h"
 #include "vtkPenumbraRayCaster.h"
 
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
@@ -122,6 +124,33 @@ std::vector<LineScene> MakeScenes()
       },
       8.0 });
   }
+  const Style opaque = [](vtkProperty* property) {
+    ShowWireframe(property);
+    property->SetOpacity(1.0);
+  };
+  scenes.push_back({ "HiddenLines",
+    [=](vtkRenderer* renderer) {
+      renderer->UseHiddenLineRemovalOn();
+      AddSphere(renderer, opaque, 0.0, 24);
+      AddSphere(renderer, opaque, 0.6, 40);
+    },
+    8.0 });
+  scenes.push_back({ "HiddenLinesOfTranslucentSpheres",
+    [=](vtkRenderer* renderer) {
+      renderer->UseHiddenLineRemovalOn();
+      AddSphere(renderer, ShowWireframe, 0.0, 24);
+      AddSphere(renderer, ShowEdges, 0.6, 40);
+    },
+    8.0 });
+  scenes.push_back({ "EdgesWithForcedOrder",
+    [=](vtkRenderer* renderer) {
+      AddSphere(renderer, ShowEdges, 0.0, 24);
+      AddPlane(renderer, opaque, 0.1, 1.0);
+      AddSphere(renderer, ShowEdges, 0.6, 40);
+      renderer->GetActors()->GetLastActor()->ForceOpaqueOn();
+      AddPlane(renderer, opaque, -0.1, 1.0);
+    },
+    8.0 });
   return scenes;
 }
 

@@ -34,7 +34,7 @@ glm::dvec4 ComputeColor(const RayScene& rays, const Shading& shading,
   Ray rest = ray;
   while (hit.IsHit() && color.a < 1.0)
   {
-    if (kinds.empty() || order.IsDrawn(kinds[hit.Surface], hit))
+    if (kinds.empty() || order.IsDrawn(kinds[hit.Surface], { hit.Surface, hit.Primitive }))
     {
       const Surface& surface = rays.GetScene().Surfaces[hit.Surface];
       const ShadedHit shaded = shading.Shade(ray, hit, shadowRays);

@@ -91,6 +91,7 @@ public:
     this->FoundIntersection = false;
     this->SearchAllPixels = false;
     this->Sampled.clear();
+    this->ConstantLayers.clear();
   }
 
   /// Computes pixel (x, y), which the listed edges cross. If it is sampled, GetSampledPixels()
@@ -173,6 +174,8 @@ private:
   bool SelectLayers() const;
   void RasterizeLayers(SampledPixel& pixel, std::size_t total);
   void ShadeLayer(SampledPixel& pixel, std::uint32_t layer, PixelLayerColor& color);
+  void ShadePartOfLayer(SampledPixel& pixel, std::uint32_t layer, PixelLayerColor& color);
+  void LoadBackground(const SampledPixel& pixel);
   glm::vec4 CompositeLayers(
     SampledPixel& pixel, glm::vec2 point, const LayerCandidate* begin, const LayerCandidate* end);
   void TraceSamples(SampledPixel& pixel, std::size_t total);
@@ -230,6 +233,9 @@ private:
   bool RasterizesAll = false;
   SampleCache Cache;
   std::vector<SampledPixel> Sampled; ///< of the current tile
+  /// Per triangle of the tile: its color, if it is constant and was found.
+  std::vector<PixelLayerColor> ConstantLayers;
+  PixelLayerColor Background; ///< in the current pixel, premultiplied by alpha; not of images
 
   // State of the current pixel.
   int X = 0;

@@ -11,6 +11,7 @@
 #include "Scene.h"
 #include "Surface.h"
 
+#include <array>
 #include <cstddef>
 
 namespace penumbra
@@ -91,6 +92,8 @@ void PixelIntegrator::RasterizeLayers(SampledPixel& pixel, std::size_t total)
 {
   const std::size_t before = pixel.Samples.size();
   this->ComputePoints(pixel, before, total);
+  this->LoadBackground(pixel);
+  this->ConstantLayers.resize(this->Rasterizer->GetNumberOfTriangles());
   pixel.Samples.resize(total);
   pixel.LayerColors.resize(this->Rasterizer->GetNumberOfLayers());
   this->Rasterizer->VisitLayers(
@@ -102,17 +105,56 @@ void PixelIntegrator::RasterizeLayers(SampledPixel& pixel, std::size_t total)
   this->Rays.Rasterized += static_cast<long long>(total - before);
 }
 
-// Shades a triangle at the center of the part of the pixel that it covers, or, if that part is large
-// and the color may vary, near some of its corners.
+// A background without an image is almost linear inside a pixel.
+void PixelIntegrator::LoadBackground(const SampledPixel& pixel)
+{
+  const glm::dvec2 corner(pixel.X, pixel.Y);
+  PixelLayerColor& background = this->Background;
+  background.Color = this->Tracer.GetBackground(corner);
+  background.Gradient[0] =
+    this->Tracer.GetBackground(corner + glm::dvec2(1.0, 0.0)) - background.Color;
+  background.Gradient[1] =
+    this->Tracer.GetBackground(corner + glm::dvec2(0.0, 1.0)) - background.Color;
+  background.IsConstant =
+    background.Gradient[0] == glm::vec4(0.f) && background.Gradient[1] == glm::vec4(0.f);
+}
+
+// Shades a triangle: once per tile, if its color is constant.
 void PixelIntegrator::ShadeLayer(SampledPixel& pixel, std::uint32_t layer, PixelLayerColor& color)
 {
-  color.Id = this->Rasterizer->GetLayer(layer);
-  color.Of = &this->Tracer.GetScene().Surfaces[color.Id.Surface];
+  const PrimitiveId id = this->Rasterizer->GetLayer(layer);
+  if (!this->Tracer.GetShading().IsConstantPerTriangle(id.Surface))
+  {
+    color.Id = id;
+    color.Of = &this->Tracer.GetScene().Surfaces[id.Surface];
+    this->ShadePartOfLayer(pixel, layer, color);
+    return;
+  }
+  PixelLayerColor& constant = this->ConstantLayers[this->Rasterizer->GetLayerTriangle(layer)];
+  if (!constant.Of)
+  {
+    constant.Id = id;
+    constant.Of = &this->Tracer.GetScene().Surfaces[id.Surface];
+    const std::array<glm::vec3, 3> points = constant.Of->GetPoints(id.Primitive);
+    const ProjectedTriangle projected(points, this->Tracer.GetCamera());
+    const LayerColor shaded = this->Tracer.ShadeLayer(
+      (projected.Points[0] + projected.Points[1] + projected.Points[2]) / 3.0, id, this->Rays);
+    constant.Color = shaded.Color;
+    constant.Slope = shaded.Slope;
+  }
+  color = constant;
+}
+
+// Shades a triangle at the center of the part of the pixel that it covers, or, if that part is large,
+// near some of its corners.
+void PixelIntegrator::ShadePartOfLayer(
+  SampledPixel& pixel, std::uint32_t layer, PixelLayerColor& color)
+{
   if (color.Of->LitTexture)
   {
-    pixel.HasTexture = true;
-    color.Texels = FindTexture(
-      *color.Of, color.Id.Primitive, this->Tracer.GetCamera(), glm::dvec2(pixel.X, pixel.Y));
+    color.Texture = static_cast<std::uint32_t>(pixel.Textures.size());
+    pixel.Textures.push_back(FindTexture(
+      *color.Of, color.Id.Primitive, this->Tracer.GetCamera(), glm::dvec2(pixel.X, pixel.Y)));
   }
   const std::vector<glm::vec2> polygon = this->Rasterizer->ClipLayer(layer);
   glm::vec2 center(0.f);
@@ -126,8 +168,7 @@ void PixelIntegrator::ShadeLayer(SampledPixel& pixel, std::uint32_t layer, Pixel
     center += part * (polygon[0] + (u + v) / 3.f);
   }
   center = area > 0.f ? center / area : polygon.empty() ? glm::vec2(0.5f) : polygon[0];
-  const bool isConstant =
-    area < LargeArea || this->Tracer.GetShading().IsConstantPerTriangle(color.Id.Surface);
+  const bool isConstant = area < LargeArea;
   const int count = isConstant ? 1 : ShadedPointsOfLargeArea;
   glm::vec2 points[ShadedPointsOfLargeArea] = { center };
   glm::vec4 colors[ShadedPointsOfLargeArea];
@@ -158,16 +199,27 @@ glm::vec4 PixelIntegrator::CompositeLayers(
   SampledPixel& pixel, glm::vec2 point, const LayerCandidate* begin, const LayerCandidate* end)
 {
   const auto origin = static_cast<float>(this->Tracer.GetCamera().DepthOfRayOrigins());
+  LayerOrder order;
   EdgeBlending edges(this->Tracer.GetCamera());
   glm::vec4 color(0.f);
   for (const LayerCandidate* layer = begin; layer < end; ++layer)
   {
+    if (this->Tracer.HasLayerOrder() &&
+      !this->Tracer.IsDrawn(this->Rasterizer->GetLayer(layer->Layer), order))
+    {
+      continue;
+    }
     PixelLayerColor& found = pixel.LayerColors[layer->Layer];
     if (!found.Of)
     {
       this->ShadeLayer(pixel, layer->Layer, found);
     }
-    const glm::vec4 c = found.At(point);
+    glm::vec4 c = found.At(point);
+    if (found.Texture != PixelLayerColor::NoTexture)
+    {
+      const PixelTexture& texture = pixel.Textures[found.Texture];
+      c *= SampleTexture(*texture.Image, texture.At(point));
+    }
     float opacity = c.a;
     if (edges.IsBehindEdge() || found.Of->EdgeWidth > 0.f)
     {
@@ -184,7 +236,9 @@ glm::vec4 PixelIntegrator::CompositeLayers(
   if (color.a < 1.f)
   {
     color += (1.f - color.a) *
-      this->Tracer.GetBackground(glm::dvec2(pixel.X, pixel.Y) + glm::dvec2(point));
+      (this->Tracer.HasBackgroundImage()
+          ? this->Tracer.GetBackground(glm::dvec2(pixel.X, pixel.Y) + glm::dvec2(point))
+          : this->Background.At(point));
   }
   return color;
 }

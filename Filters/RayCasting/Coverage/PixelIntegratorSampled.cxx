@@ -329,8 +329,8 @@ void PixelIntegrator::Refine(SampledPixel& pixel)
   this->Noise = pixel.Noise;
 
   pixel.Result.Color = pixel.MeanOfFaces + glm::vec4(ComputeMeanOfSamples(pixel));
-  const float confidence =
-    pixel.IsLayered && !pixel.HasTexture ? LayerConfidenceFactor : ConfidenceFactor;
+  const bool isBlended = pixel.IsLayered && pixel.Textures.empty() && !this->Tracer.HasLayerOrder();
+  const float confidence = isBlended ? LayerConfidenceFactor : ConfidenceFactor;
   this->SetErrors(confidence * static_cast<float>(std::sqrt(EstimateVariance(pixel))),
     std::max(pixel.MinimumError, pixel.Floor / static_cast<float>(total)), pixel.Result);
 }

@@ -31,8 +31,8 @@ struct PixelResult
 /// the inverse depth.
 struct PixelTexture
 {
-  const Texture* Image = nullptr; ///< null: there is none
-  glm::dvec3 Value{ 0.0 };        ///< at the origin of the pixel
+  const Texture* Image = nullptr;
+  glm::dvec3 Value{ 0.0 }; ///< at the origin of the pixel
   glm::dvec3 SlopeX{ 0.0 };
   glm::dvec3 SlopeY{ 0.0 };
 
@@ -47,15 +47,18 @@ struct PixelTexture
 /// Color of a triangle that is a layer in one pixel: linear over the pixel, times a texture.
 struct PixelLayerColor
 {
+  static constexpr std::uint32_t NoTexture = 0xffffffffu;
+
   PrimitiveId Id{};
   const Surface* Of = nullptr; ///< null: not yet shaded
   bool IsConstant = true;
-  glm::vec2 Center{ 0.f };    ///< position in the pixel
-  glm::vec4 Color{ 0.f };     ///< at the center; not premultiplied, and opacity
-  glm::vec4 Gradient[2] = {}; ///< change of the color along x and y
-  float Slope = 0.f;          ///< see EdgeBlending
-  PixelTexture Texels;
+  std::uint32_t Texture = NoTexture; ///< index in SampledPixel::Textures
+  float Slope = 0.f;                 ///< see EdgeBlending
+  glm::vec2 Center{ 0.f };           ///< position in the pixel
+  glm::vec4 Color{ 0.f };            ///< at the center; not premultiplied, and opacity
+  glm::vec4 Gradient[2] = {};        ///< change of the color along x and y
 
+  /// Returns the color without the texture.
   glm::vec4 At(glm::vec2 point) const
   {
     glm::vec4 color = this->Color;
@@ -65,8 +68,7 @@ struct PixelLayerColor
       color = glm::clamp(color + d.x * this->Gradient[0] + d.y * this->Gradient[1], glm::vec4(0.f),
         glm::vec4(glm::vec3(1e30f), 1.f));
     }
-    return this->Texels.Image ? color * SampleTexture(*this->Texels.Image, this->Texels.At(point))
-                              : color;
+    return color;
   }
 };
 
@@ -90,9 +92,9 @@ struct SampledPixel
   glm::vec4 MeanOfFaces{ 0.f };      ///< sum of areas times FaceColors
   std::vector<glm::vec4> Samples;    ///< differences to the colors of the faces
   bool IsRasterized = false;         ///< the hits of the samples are found without rays
-  bool IsLayered = false;  ///< the same at translucent surfaces; the samples are in Samples
-  bool HasTexture = false; ///< of a triangle in LayerColors
+  bool IsLayered = false; ///< the same at translucent surfaces; the samples are in Samples
   std::vector<PixelLayerColor> LayerColors; ///< per layer of a pixel of layers
+  std::vector<PixelTexture> Textures;       ///< of some of them
   /// Colors of the visible triangles of a rasterized pixel.
   std::vector<PixelTriangleColor> TriangleColors;
   /// Index in TriangleColors of each sample of a rasterized pixel, which has no Samples.

@@ -66,7 +66,7 @@ private:
 double ComputeCost(const SampledPixel& pixel)
 {
   const double samples = std::max<double>(pixel.GetNumberOfSamples(), MinimumSamples);
-  return pixel.HasTexture                   ? samples / TexturedSamplesPerRay
+  return !pixel.Textures.empty()            ? samples / TexturedSamplesPerRay
     : pixel.IsRasterized || pixel.IsLayered ? samples / RasterizedSamplesPerRay
                                             : samples;
 }

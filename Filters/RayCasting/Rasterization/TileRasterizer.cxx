@@ -157,16 +157,15 @@ TileRasterizer::TileRasterizer(
     Tile(tile),
     Origin(tiles.Origin +
       static_cast<double>(tiles.Side) * glm::dvec2(tile % tiles.Count.x, tile / tiles.Count.x)),
-    Side(tiles.Side)
+    Side(tiles.Side),
+    IsParallel(rays.GetScene().ViewCamera.Parallel)
 {
 }
 
 bool TileRasterizer::RequiresRays(const Scene& scene)
 {
-  return std::any_of(scene.Surfaces.begin(), scene.Surfaces.end(), [](const Surface& surface) {
-    return surface.Instances != nullptr || surface.HidesLines || surface.HasHiddenLines ||
-      surface.ForceOpaque;
-  });
+  return std::any_of(scene.Surfaces.begin(), scene.Surfaces.end(),
+    [](const Surface& surface) { return surface.Instances != nullptr; });
 }
 
 // Adds a triangle of the tile unless its visible side is culled. Returns its projection.
@@ -392,9 +391,8 @@ bool TileRasterizer::AddToPixel(std::uint32_t index, glm::dvec2 corner)
   added.LastRow = findCell(triangle.High.y - corner.y + Margin);
   this->Keys.push_back(
     isBounded ? Evaluate(triangle.Key, corner + 0.5) : std::numeric_limits<double>::infinity());
-  const bool isParallel = this->Rays.GetScene().ViewCamera.Parallel;
   added.KeyError =
-    static_cast<float>(triangle.KeyError * (isParallel ? 1.0 : std::abs(this->Keys.back())));
+    static_cast<float>(triangle.KeyError * (this->IsParallel ? 1.0 : std::abs(this->Keys.back())));
   this->Selected.push_back(added);
   return true;
 }

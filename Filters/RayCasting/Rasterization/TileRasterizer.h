@@ -47,16 +47,15 @@ public:
   /// Returns true if only rays can decide what is visible in scenes of this kind.
   static bool RequiresRays(const Scene& scene);
 
-  /// Selects a pixel of the tile. Returns false if a ray must decide what is visible: at
-  /// translucent and textured surfaces and in front of the near plane.
+  /// Selects a pixel of the tile. Returns false if a ray or layers must decide what is visible: at
+  /// translucent and textured surfaces, in front of the near plane, and if LayerOrder decides.
   bool SelectPixel(glm::ivec2 pixel);
 
   /// Finds the triangles at points of the selected pixel. `visible` receives an index for
   /// GetTriangle(), or None, for each point.
   void Rasterize(const SamplePoints& points, std::vector<std::uint32_t>& visible);
 
-  /// Returns true if SelectPixel() returned false only because of translucent or textured surfaces, so that
-  /// VisitLayers() decides what is visible.
+  /// Returns true if VisitLayers() decides what is visible in the selected pixel, and not a ray.
   bool HasLayers() const { return this->IsLayered; }
 
   /// Returns true if the selected pixel contains triangles of lines or points.
@@ -65,12 +64,18 @@ public:
   /// Number of triangles of the selected pixel.
   std::size_t GetNumberOfLayers() const { return this->Selected.size(); }
   PrimitiveId GetLayer(std::uint32_t layer) const { return this->Ids[this->Selected[layer].Index]; }
+  /// Returns the index of a layer for GetTriangle().
+  std::uint32_t GetLayerTriangle(std::uint32_t layer) const { return this->Selected[layer].Index; }
 
   /// Returns the part of the pixel that a triangle covers, a convex polygon.
   std::vector<glm::vec2> ClipLayer(std::uint32_t layer) const;
 
   /// Returns the depth of a candidate along the view axis.
-  float ComputeDepth(const LayerCandidate& candidate) const;
+  float ComputeDepth(const LayerCandidate& candidate) const
+  {
+    const double key = this->ReferenceKey + static_cast<double>(candidate.Key);
+    return static_cast<float>(this->IsParallel ? -key : 1.0 / key);
+  }
 
   /// Finds all triangles at points of the selected pixel down to the first opaque one, front to
   /// back, as rays meet them: of coincident ones, those that CoincidentSurfaces selects. Calls
@@ -129,6 +134,7 @@ private:
   const int Tile;
   const glm::dvec2 Origin; ///< lower left corner of the tile
   const int Side;
+  const bool IsParallel; ///< parallel projection
 
   bool IsPrepared = false;
   bool IsOverfull = false;      ///< too many triangles overlap the pixels of the tile

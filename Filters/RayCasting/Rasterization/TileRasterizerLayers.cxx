@@ -188,12 +188,6 @@ LayerCandidate* TileRasterizer::SelectCoincident(LayerCandidate* begin, LayerCan
   return kept;
 }
 
-float TileRasterizer::ComputeDepth(const LayerCandidate& candidate) const
-{
-  const double key = this->ReferenceKey + static_cast<double>(candidate.Key);
-  return static_cast<float>(this->Rays.GetScene().ViewCamera.Parallel ? -key : 1.0 / key);
-}
-
 std::vector<glm::vec2> TileRasterizer::ClipLayer(std::uint32_t layer) const
 {
   const PixelTriangle& triangle = this->Selected[layer];

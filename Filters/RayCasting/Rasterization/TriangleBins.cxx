@@ -4,6 +4,7 @@
 
 #include "Execution/ParallelBins.h"
 #include "ProjectedTriangle.h"
+#include "Sampling/LayerOrder.h"
 #include "Scene.h"
 #include "Surface.h"
 
@@ -21,14 +22,15 @@ namespace
 constexpr double Margin = 2e-3;
 
 /// Returns 0 if rays and layers are not required, see TriangleBins::IsComplex() and IsLayer().
-char FindComplexity(const Surface& surface)
+/// `ordered`: the order of drawing decides what is visible, so that opaque surfaces may hide nothing.
+char FindComplexity(const Surface& surface, bool ordered)
 {
   if (surface.ColorTexture || surface.BaseColorTexture || surface.DetailTextures ||
     (surface.LitTexture && !surface.TextureOnBackfaces))
   {
     return 1;
   }
-  return surface.IsTranslucent() || surface.IsAdditive ? 2 : surface.LitTexture ? 3 : 0;
+  return ordered || surface.IsTranslucent() || surface.IsAdditive ? 2 : surface.LitTexture ? 3 : 0;
 }
 
 /// The triangles of all surfaces that are binned, one after the other.
@@ -79,8 +81,9 @@ TriangleBins::TriangleBins(
   {
     return;
   }
+  const bool ordered = !LayerOrder::FindKinds(scene).empty();
   std::transform(scene.Surfaces.begin(), scene.Surfaces.end(), std::back_inserter(this->Complex),
-    FindComplexity);
+    [=](const Surface& surface) { return FindComplexity(surface, ordered); });
   const TriangleSequence triangles(scene.Surfaces);
   FillBins(
     triangles.GetCount(), selected.size(),

@@ -134,7 +134,7 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
   const long long shadowRays = counts.Shadow;
   for (int layer = 0; hit.IsHit() && layer < MaximumLayers; ++layer)
   {
-    if (!this->Kinds.empty() && !order.IsDrawn(this->Kinds[hit.Surface], hit))
+    if (!this->Kinds.empty() && !this->IsDrawn({ hit.Surface, hit.Primitive }, order))
     {
       continuation = ContinueBehind(continuation, hit);
       hit = this->Rays.Intersect(continuation);

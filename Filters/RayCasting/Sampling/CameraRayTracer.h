@@ -145,6 +145,15 @@ public:
     return background.Image != nullptr || background.Surroundings != nullptr;
   }
 
+  /// Returns true if the order in which VTK draws surfaces decides which are layers of a ray.
+  bool HasLayerOrder() const { return !this->Kinds.empty(); }
+
+  /// Returns true if VTK draws the next triangle of a ray. HasLayerOrder() must be true.
+  bool IsDrawn(PrimitiveId triangle, LayerOrder& order) const
+  {
+    return order.IsDrawn(this->Kinds[triangle.Surface], triangle);
+  }
+
   const Shading& GetShading() const { return this->SurfaceShading; }
   const Scene& GetScene() const { return this->Rays.GetScene(); }
   const Camera& GetCamera() const { return this->ViewCamera; }

@@ -6,7 +6,7 @@
 #ifndef penumbra_LayerOrder_h
 #define penumbra_LayerOrder_h
 
-#include "Embree/RayScene.h"
+#include "PrimitiveId.h"
 #include "Scene.h"
 #include "Surface.h"
 
@@ -34,12 +34,12 @@ public:
   static std::vector<Kinds> FindKinds(const Scene& scene);
 
   /// Returns true if VTK draws the hit of a surface of `kind`.
-  bool IsDrawn(Kinds kind, const Hit& hit);
+  bool IsDrawn(Kinds kind, PrimitiveId hit);
 
 private:
   bool IsBehindMask = false;
   bool IsBehindForced = false;
-  Hit Last; ///< the last hit of a surface with ForceOpaque that is drawn
+  PrimitiveId Last{}; ///< the last hit of a surface with ForceOpaque that is drawn
 };
 
 inline std::vector<LayerOrder::Kinds> LayerOrder::FindKinds(const Scene& scene)
@@ -60,7 +60,7 @@ inline std::vector<LayerOrder::Kinds> LayerOrder::FindKinds(const Scene& scene)
 
 // VTK draws opaque actors in their order, with the depth test. So of the hits behind one that is
 // drawn, exactly those appear through it that are drawn before it and before all others in front.
-inline bool LayerOrder::IsDrawn(Kinds kind, const Hit& hit)
+inline bool LayerOrder::IsDrawn(Kinds kind, PrimitiveId hit)
 {
   if (kind == Kinds::LineMask)
   {
