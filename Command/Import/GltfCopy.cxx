@@ -44,6 +44,15 @@ public:
     }
   }
 
+  /// Throws CommandError if there is nothing to show, which VTK's reader reports as invalid JSON.
+  void RequireMeshes() const
+  {
+    if (this->Root.is_object() && this->List("meshes").empty())
+    {
+      this->Fail("the mesh is empty; choose a file that contains cells or points");
+    }
+  }
+
   /// Returns whether VTK's reader may refuse the file. It reports invalid JSON itself.
   bool IsNeeded() const
   {
@@ -379,6 +388,7 @@ std::string CopyGltf(const std::string& path, Appearance* appearance)
   try
   {
     Copy copy(path);
+    copy.RequireMeshes();
     if (!copy.IsNeeded())
     {
       return {};
