@@ -61,21 +61,22 @@ bool HasCurvedCells(vtkUnstructuredGridBase* grid)
   return false;
 }
 
-/// Number of triangles into which VTK divides the faces of a grid, and their largest distance from
-/// the faces.
+/// Number of triangles or segments into which VTK divides the faces or lines of a grid, and their
+/// largest distance from these.
 struct Triangulation
 {
   std::size_t Count = 0;
   double Deviation = 0.0;
 };
 
-/// Adds the triangles of one face. The distance is measured at the centers of their edges.
+/// Adds the triangles of a face or the segments of a line. The distance is measured at the centers of edges.
 void Measure(vtkCell* face, Triangulation& result)
 {
   vtkNew<vtkIdList> ids;
   vtkNew<vtkPoints> corners;
   face->Triangulate(0, ids, corners);
-  result.Count += static_cast<std::size_t>(ids->GetNumberOfIds() / 3);
+  const int size = face->GetCellDimension() + 1;
+  result.Count += static_cast<std::size_t>(ids->GetNumberOfIds() / size);
   const double* parameters = face->IsLinear() ? nullptr : face->GetParametricCoords();
   if (!parameters)
   {
@@ -88,7 +89,7 @@ void Measure(vtkCell* face, Triangulation& result)
   };
   for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
   {
-    const vtkIdType next = i % 3 == 2 ? i - 2 : i + 1;
+    const vtkIdType next = i % size == size - 1 ? i - size + 1 : i + 1;
     glm::dvec3 center = 0.5 * (getParameters(i) + getParameters(next));
     glm::dvec3 x;
     glm::dvec3 a;
@@ -115,7 +116,7 @@ int FindLevel(vtkUnstructuredGrid* faces, const ProgressCallback& progress)
       ThrowIfStopped(progress, 0.0);
     }
     faces->GetCell(i, face);
-    if (face->GetCellDimension() == 2)
+    if (face->GetCellDimension() == 1 || face->GetCellDimension() == 2)
     {
       Measure(face, first);
     }

@@ -158,6 +158,34 @@ TEST(CurvedCells, AreSubdividedToTheTolerance)
   }
 }
 
+TEST(CurvedCells, LinesAreSubdividedToTheTolerance)
+{
+  vtkNew<vtkUnstructuredGrid> grid;
+  AddCell(grid, VTK_QUADRATIC_EDGE, { { -1, 0, 0 }, { 1, 0, 0 }, { 0, 0.5, 0 } });
+  const vtkSmartPointer<vtkPolyData> lines = ExtractCurvedSurface(grid, "Ids");
+  ASSERT_TRUE(lines);
+  double length = 0.0;
+  vtkNew<vtkIdList> line;
+  for (vtkIdType cell = 0; cell < lines->GetNumberOfLines(); ++cell)
+  {
+    lines->GetLines()->GetCellAtId(cell, line);
+    for (vtkIdType i = 0; i < line->GetNumberOfIds(); ++i)
+    {
+      glm::dvec3 a;
+      lines->GetPoint(line->GetId(i), &a.x);
+      EXPECT_NEAR(a.y, 0.5 - 0.5 * a.x * a.x, 1e-6);
+      if (i > 0)
+      {
+        glm::dvec3 b;
+        lines->GetPoint(line->GetId(i - 1), &b.x);
+        length += glm::distance(a, b);
+      }
+    }
+  }
+  // Arc length of y = 0.5 x^2 between -1 and 1.
+  EXPECT_NEAR(length, std::sqrt(2.0) + std::asinh(1.0), 1e-3);
+}
+
 TEST(CurvedCells, HaveTheEdgesOfTheCellsAsCurves)
 {
   vtkNew<vtkUnstructuredGrid> grid;
