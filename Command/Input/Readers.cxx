@@ -238,7 +238,8 @@ void CheckFile(const std::string& path)
     throw CommandError(BadInput, path + ": cannot be opened; check its permissions");
   }
   std::fclose(file);
-  if (fs::file_size(path, error) == 0)
+  // The contents of a .foam file do not matter: it names the folder of a case.
+  if (fs::file_size(path, error) == 0 && LowerExtension(path) != ".foam")
   {
     throw CommandError(BadInput, path + ": the file is empty; export it again");
   }

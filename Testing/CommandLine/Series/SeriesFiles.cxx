@@ -59,7 +59,7 @@ void WriteFoam(const Folder& folder)
       "dimensions [0 0 0 1 0 0 0];\ninternalField uniform " + std::to_string(step) +
         ";\nboundaryField\n{\nwall\n{\ntype zeroGradient;\n}\n}\n");
   }
-  WriteText(folder / "foam/steps.foam", "a case\n");
+  WriteText(folder / "foam/steps.foam", ""); // as by "touch"
 }
 
 void WriteXdmf(const Folder& folder)
