@@ -213,6 +213,25 @@ void AddGeometry(SceneList& add)
 #endif
   });
   add(
+    Feature::LinesAsTubes,
+    [](Renderer r, Window) { // a line without length, and one with
+      vtkNew<vtkPoints> points;
+      points->InsertNextPoint(0.2, 0.1, 0.0);
+      points->InsertNextPoint(0.2, 0.1, 0.0);
+      points->InsertNextPoint(-0.5, -0.4, 0.0);
+      points->InsertNextPoint(0.5, -0.3, 0.0);
+      vtkNew<vtkCellArray> lines;
+      lines->InsertNextCell({ 0, 1 });
+      lines->InsertNextCell({ 2, 3 });
+      vtkNew<vtkPolyData> data;
+      data->SetPoints(points);
+      data->SetLines(lines);
+      vtkActor* actor = Add(r, data);
+      actor->GetProperty()->SetLineWidth(9.f);
+      actor->GetProperty()->RenderLinesAsTubesOn();
+    },
+    0.01);
+  add(
     Feature::LineJoin,
     [](Renderer r, Window) {
       vtkActor* actor = Add(r, MakePolyline());

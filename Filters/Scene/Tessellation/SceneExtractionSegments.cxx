@@ -39,6 +39,21 @@ void Append(std::vector<LineSegment>& segments, vtkIdType from, vtkIdType to, st
   segments.push_back({ static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to), cell });
 }
 
+/// Returns true if a line between two points has no length: VTK draws nothing, also as a tube.
+bool HasNoLength(vtkPolyData* data, vtkIdType from, vtkIdType to)
+{
+  const vtkIdType count = data->GetNumberOfPoints();
+  if (from < 0 || to < 0 || from >= count || to >= count)
+  {
+    return false;
+  }
+  double a[3];
+  double b[3];
+  data->GetPoint(from, a);
+  data->GetPoint(to, b);
+  return std::equal(a, a + 3, b);
+}
+
 /// Keeps the first of the segments between the same two points.
 void RemoveDuplicates(std::vector<LineSegment>& segments)
 {
@@ -184,7 +199,10 @@ std::vector<LineSegment> CollectLines(vtkPolyData* data)
     [&](const vtkIdType* ids, vtkIdType size, std::uint32_t cell) {
       for (vtkIdType i = 0; i + 1 < size; ++i)
       {
-        Append(segments, ids[i], ids[i + 1], cell);
+        if (!HasNoLength(data, ids[i], ids[i + 1]))
+        {
+          Append(segments, ids[i], ids[i + 1], cell);
+        }
       }
     });
   return segments;
