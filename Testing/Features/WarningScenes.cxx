@@ -84,6 +84,7 @@ public:
   {
     vtkSmartPointer<vtkImageData> image = MakeImage(4, 4);
     painter->GetBrush()->SetTexture(image);
+    painter->GetBrush()->SetTextureProperties(vtkBrush::Repeat);
     painter->DrawRect(2.f, 2.f, 20.f, 20.f);
     painter->GetBrush()->SetTexture(nullptr);
     return true;

@@ -227,6 +227,14 @@ void AddCharts(SceneList& add)
   add(
     Feature::Charts,
     [](Renderer r, Window) {
+      auto chart = AddChart<vtkChartXY>(r);
+      chart->GetBackgroundBrush()->SetTexture(MakeStripes());
+      chart->GetBackgroundBrush()->SetTextureProperties(vtkBrush::Linear | vtkBrush::Stretch);
+    },
+    0.03);
+  add(
+    Feature::Charts,
+    [](Renderer r, Window) {
       auto chart = AddChart<vtkChartPie>(r);
       vtkNew<vtkTable> table;
       vtkNew<vtkDoubleArray> parts;

@@ -109,6 +109,23 @@ std::vector<OverlayVertex> ClipHalf(
   return result;
 }
 
+/// Maps a texture to the rectangle around a polygon. VTK replaces the color of the brush by it.
+void StretchTexture(std::vector<OverlayVertex>& corners)
+{
+  glm::dvec2 low(corners.empty() ? glm::dvec2(0.0) : corners.front().Position);
+  glm::dvec2 high(low);
+  for (const OverlayVertex& corner : corners)
+  {
+    low = glm::min(low, corner.Position);
+    high = glm::max(high, corner.Position);
+  }
+  for (OverlayVertex& corner : corners)
+  {
+    corner.Color = glm::vec4(1.f);
+    corner.Coordinates = (corner.Position - low) / glm::max(high - low, glm::dvec2(1e-9));
+  }
+}
+
 /// Draws into an overlay.
 class OverlayDevice : public vtkContextDevice2D
 {
@@ -238,14 +255,21 @@ public:
 
   void DrawColoredPolygon(float* points, int n, unsigned char* colors, int components) override
   {
-    this->IsIncomplete |= this->Brush->GetTexture() != nullptr;
     std::vector<OverlayVertex> corners;
     for (int i = 0; i < n; ++i)
     {
       corners.push_back({ this->ToPixels(points + 2 * i),
         this->FindColor(this->Brush->GetColorObject(), colors, components, i) });
     }
-    this->Fill(std::move(corners), colors != nullptr);
+    const OverlayTexels texels = this->FindTexels(this->Brush->GetTexture());
+    if (texels.Texels.empty())
+    {
+      this->Fill(std::move(corners), colors != nullptr);
+      return;
+    }
+    this->IsIncomplete |= (this->Brush->GetTextureProperties() & vtkContextDevice2D::Repeat) != 0;
+    StretchTexture(corners);
+    this->Fill(std::move(corners), true, &texels);
   }
 
   void DrawEllipseWedge(float x, float y, float outRx, float outRy, float inRx, float inRy,
