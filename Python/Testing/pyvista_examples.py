@@ -1,9 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Render the examples of PyVista's documentation with and without ambient occlusion.
+"""Render the examples of PyVista's documentation with and without ambient occlusion, or by rays.
 
 Runs the docstring examples of PyVista modules unchanged and offline. Each plot is rendered without and with
 ambient occlusion, and both images are saved to --output. Exit status 1 if a render fails or becomes lighter.
+With --rays, the second image is ray cast: exit status 1 if that fails. "look" marks images that differ without a warning;
+most of them have edges with their full width at silhouettes, or smoothed lines of charts.
 """
 import argparse
 import contextlib
@@ -13,22 +15,32 @@ import io
 import pathlib
 import sys
 import urllib.request
+import warnings
 
 import matplotlib.image
 import numpy
 import pyvista
 
-import penumbra  # noqa: F401
+import penumbra
 
 QUICK = ("pyvista.examples.examples",)
 WINDOW = [320, 240]
 
 
+BLOCK = 8  # pixels: means over blocks are equal where images differ only by antialiasing
+
+
+def block_means(image):
+    rows, columns = (length // BLOCK * BLOCK for length in image.shape[:2])
+    return image[:rows, :columns, :3].reshape(rows // BLOCK, BLOCK, columns // BLOCK, BLOCK, 3).mean(axis=(1, 3))
+
+
 class ExampleRenderer:
     """Renders the plots of the examples and records the results."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, rays=False):
         self.folder = folder
+        self.rays = rays
         self.name = ""
         self.rows = []
         self.shown = 0
@@ -38,14 +50,14 @@ class ExampleRenderer:
         self.shown += 1
         name = f"{self.name}-{self.shown}"
         try:
-            self.rows.append((name, *self.render(plotter, name)))
+            self.rows.append((name, *(self.cast if self.rays else self.render)(plotter, name)))
         except Exception as error:  # noqa: BLE001: each failure becomes a row
             self.rows.append((name, None, f"{type(error).__name__}: {error}"))
         finally:
             plotter.close()
-        _, darker, problem = self.rows[-1]
+        _, result, problem = self.rows[-1]
         # The output of the examples themselves is redirected.
-        print(f"{name}: {problem or f'{darker:.1%} of pixels darker'}", file=sys.__stdout__, flush=True)
+        print(f"{name}: {problem or result}", file=sys.__stdout__, flush=True)
 
     def render(self, plotter, name):
         plain = plotter.screenshot(return_img=True).astype(int)
@@ -61,7 +73,18 @@ class ExampleRenderer:
         # Ambient occlusion only darkens; a few edge pixels differ by antialiasing.
         if (lighter > 8).mean() > 0.01:
             problem = f"{(lighter > 8).mean():.1%} of pixels lighter"
-        return (darker > 4).mean(), problem
+        return f"{(darker > 4).mean():.1%} of pixels darker", problem
+
+    def cast(self, plotter, name):
+        rasterized = plotter.screenshot(return_img=True)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            cast = plotter.penumbra.screenshot(return_img=True)
+        matplotlib.image.imsave(self.folder / f"{name}.png", numpy.concatenate([rasterized, cast], axis=1))
+        off = (numpy.abs(block_means(rasterized) - block_means(cast)).max(axis=2) > 16.0).mean()
+        messages = [str(item.message) for item in caught if issubclass(item.category, penumbra.PenumbraWarning)]
+        result = f"{off:.1%} of blocks differ" + "".join(f"; {message}" for message in messages)
+        return result + ("; look" if off > 0.02 and not messages else ""), ""
 
 
 def raise_offline(*_, **__):
@@ -92,9 +115,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("modules", nargs="*", default=QUICK)
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("pyvista-examples"))
+    parser.add_argument("--rays", action="store_true", help="compare with ray casting instead of ambient occlusion")
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
-    renderer = ExampleRenderer(options.output)
+    renderer = ExampleRenderer(options.output, options.rays)
     pyvista.OFF_SCREEN = True
     pyvista.global_theme.window_size = WINDOW
     pyvista.Plotter.show = lambda plotter, *a, **k: renderer.show(plotter, *a, **k)
