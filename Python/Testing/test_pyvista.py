@@ -280,7 +280,7 @@ class RayCastImage(unittest.TestCase):
         penumbra.vtkPenumbraLightShaftPass.AddTo(plotter.renderer)
         self.assertIn("light shafts and ambient occlusion", repr(plotter.penumbra))
         reference = lit()
-        reference.penumbra.enable_light_shafts()
+        reference.penumbra.enable_light_shafts(bounds=[-math.inf, math.inf] * 3)
         hazy = plotter.penumbra.ray_cast(ambient_occlusion=False)
         numpy.testing.assert_array_equal(hazy, reference.penumbra.ray_cast())
         self.assertGreater(rmse(hazy, lit().penumbra.ray_cast()), 1.0)
@@ -526,6 +526,18 @@ class LightShafts(unittest.TestCase):
         names = [each.GetClassName() for each in passes_of(plotter.renderer)]
         self.assertEqual(names[:3], ["vtkSSAAPass", "vtkPenumbraLightShaftPass", "vtkPenumbraTemporalSSAOPass"])
 
+    def test_leave_a_white_background_bright(self):
+        plotter = scene()
+        plotter.set_background("white")
+        plotter.camera_position = [(2.0, -4.0, 1.0), (0.0, 0.0, 0.3), (0.0, 0.0, 1.0)]
+        plotter.add_light(pyvista.Light(position=(2, 2, 4), light_type="scene light"))
+        self.assertGreater(plotter.penumbra.ray_cast(light_shafts=True)[0, 80].min(), 100)
+        plotter.penumbra.enable_light_shafts()
+        for image in (plotter.screenshot(return_img=True), plotter.penumbra.ray_cast()):
+            self.assertGreater(image[0, 80].min(), 100)
+        plotter.penumbra.enable_light_shafts(bounds=[-math.inf, math.inf] * 3)
+        self.assertLess(plotter.penumbra.ray_cast()[0, 80].max(), 100)
+
     def test_passes_colored_media_to_ray_caster(self):
         plotter = scene()
         plotter.add_light(pyvista.Light(position=(2, 2, 4), light_type="scene light"))
@@ -541,7 +553,8 @@ class LightShafts(unittest.TestCase):
         for arguments in ({"phase": "mie"}, {"scattering": -1.0}, {"extinction": math.nan},
                       {"scattering": (1.0, 2.0)}, {"extinction": (1.0, math.inf, 1.0)}, {"rayleigh": -1.0},
                       {"scale_height": math.nan}, {"up": (0.0, 0.0, 0.0)},
-                      {"asymmetry": 1.5}, {"tolerance": 0.0}, {"estimator": "radial"}):
+                      {"asymmetry": 1.5}, {"tolerance": 0.0}, {"estimator": "radial"},
+                      {"bounds": (0.0, 1.0)}, {"bounds": (1.0, 0.0, 0.0, 1.0, 0.0, 1.0)}):
             with self.assertRaisesRegex(ValueError, next(iter(arguments))):
                 plotter.penumbra.enable_light_shafts(**arguments)
 

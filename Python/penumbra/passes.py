@@ -3,6 +3,7 @@
 """Render passes of a renderer, and those that this package added to it."""
 from __future__ import annotations
 
+import math
 import weakref
 from collections.abc import Iterator
 from typing import Any
@@ -47,6 +48,20 @@ def passes_of(renderer: Any) -> Iterator[Any]:
             if id(render_pass) not in seen:
                 seen.add(id(render_pass))
                 yield render_pass
+
+
+def medium_bounds(renderer: Any) -> list[float]:
+    """Return a box three diagonals of the visible bounds wide, the default extent of a medium.
+
+    It contains what a camera sees that is placed as usual. Behind it, the background is visible: an infinite medium would
+    hide it.
+    """
+    bounds = renderer.ComputeVisiblePropBounds()
+    if bounds[0] > bounds[1]:
+        return [-math.inf, math.inf] * 3
+    half = 1.5 * math.dist(bounds[::2], bounds[1::2])
+    centers = [0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]) for axis in range(3)]
+    return [center + side for center in centers for side in (-half, half)]
 
 
 def _is_image_pass(render_pass: Any) -> bool:

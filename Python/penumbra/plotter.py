@@ -15,9 +15,10 @@ from ._classes import vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass
 from .baking import ColorLike, Falloff
 from .conversion import check_choice, check_integer, check_radius, check_range, check_size
 from .graphics import check_options, check_path, write_graphic
+from .looks import NAMES, Restorer, settings_of
 from .messages import Progress, observe_warnings, warn
 from .opengl import require_opengl
-from .passes import add, passes_of, remove
+from .passes import add, medium_bounds, passes_of, remove
 from .rendering import Cache, Image, Settings, cast_renderers, finish, prepare_plotter
 
 PHASES = ("isotropic", "rayleigh", "henyey-greenstein")
@@ -71,6 +72,8 @@ class PlotterAccessor:
 
     def __init__(self, plotter: Any) -> None:
         self._plotter = plotter
+        self._look = "plain"
+        self._restorers: dict[Any, Restorer] = {}
 
     @property
     def _renderer(self) -> Any:
@@ -86,6 +89,12 @@ class PlotterAccessor:
 
     def _scale(self, scale: Any) -> int:
         return check_integer("scale", self._plotter.image_scale if scale is None else scale, 1, 64)
+
+    def _settings(self, arguments: dict[str, Any]) -> Settings:
+        """Return settings with those of the look for arguments that are not given."""
+        look = settings_of(self._look, self._plotter.renderers)
+        given = {name: value for name, value in arguments.items() if value is not None}
+        return Settings(**{**look, **given})
 
     def _require_window(self) -> None:
         if self._plotter.render_window is None:
@@ -141,7 +150,7 @@ class PlotterAccessor:
         self, *, scattering: float | Sequence[float] | None = None, extinction: float | Sequence[float] | None = None,
         rayleigh: float = 0.0, scale_height: float = 0.0, base_height: float | None = None,
         up: Sequence[float] = (0.0, 0.0, 1.0), phase: str = "isotropic", asymmetry: float = 0.6,
-        tolerance: float = 1.0 / 256.0, estimator: str = "depth",
+        tolerance: float = 1.0 / 256.0, estimator: str = "depth", bounds: Sequence[float] | None = None,
     ) -> Any:
         """Add light shafts of all lights except headlights in a medium.
 
@@ -164,6 +173,9 @@ class PlotterAccessor:
         estimator : {"depth", "shadow-map"}
             Shadows from the depth of the image, or from a shadow map of each light, which costs more
             and whose error follows ``tolerance``.
+        bounds : 6 floats, optional
+            Box of the medium, ``(x_min, x_max, y_min, y_max, z_min, z_max)``, in world units. Default: a box around the
+            scene, three diagonals wide, so that the background stays visible; infinite bounds hide it.
 
         Returns the pass, a ``vtkPenumbraLightShaftPass``.
         """
@@ -177,6 +189,9 @@ class PlotterAccessor:
         check_range("asymmetry", asymmetry, -0.999, 0.999)
         check_range("tolerance", tolerance, 1e-4, 1.0)
         check_choice("estimator", estimator, tuple(ESTIMATORS))
+        box = medium_bounds(self._renderer) if bounds is None else [float(bound) for bound in bounds]
+        if len(box) != 6 or not all(low < high for low, high in zip(box[::2], box[1::2])):
+            raise ValueError(f"bounds must be 6 numbers, each lower one below the upper one; they are {bounds}")
         self._require_window()
         require_opengl(self._plotter.render_window)
         shafts = vtkPenumbraLightShaftPass.AddTo(self._renderer)
@@ -190,6 +205,7 @@ class PlotterAccessor:
         shafts.SetScaleHeight(scale_height)
         shafts.SetUp(up)
         shafts.SetBaseHeight(_lowest_height(self._renderer, up) if base_height is None else base_height)
+        shafts.SetBounds(box)
         shafts.SetPhase(PHASES.index(phase))
         shafts.SetAsymmetry(asymmetry)
         shafts.SetTolerance(tolerance)
@@ -203,13 +219,59 @@ class PlotterAccessor:
         remove(self._renderer, "shafts")
         self._plotter.render()
 
+    def look(self, name: str) -> PlotterAccessor:
+        """Set the lights, the background and the effects of ``penumbra render --look``.
+
+        The lights follow from the camera at the time of the call. Lights and background apply to all subplots, with
+        OpenGL, too; effects are drawn by ``ray_cast``, ``screenshot`` and ``save_graphic`` unless their arguments say
+        otherwise. Colors of meshes and the camera do not change.
+
+        Parameters
+        ----------
+        name : {"plain", "studio", "outdoor", "figure", "clay"}
+            "studio", "figure" and "clay" have ambient occlusion; "outdoor" has the sun with penumbrae and the light of
+            the sky. "plain" restores the lights and the background before the first look.
+
+        Returns the accessor, for chaining.
+        """
+        check_choice("name", name, NAMES)
+        prepare_plotter(self._plotter)
+        for renderer in self._plotter.renderers:
+            if renderer not in self._restorers:
+                self._restorers[renderer] = Restorer(renderer)
+            self._restorers[renderer].apply(name)
+        self._look = name
+        return self
+
+    def describe(self) -> str:
+        """Return what ``ray_cast`` draws besides VTK's own shading, and the passes of the active renderer."""
+        parts = [] if self._look == "plain" else [f"Look({self._look})"]
+        settings = settings_of(self._look, self._plotter.renderers)
+        found = {each.GetClassName(): each for each in passes_of(self._renderer)}
+        occlusion = found.get("vtkPenumbraTemporalSSAOPass")
+        if occlusion is not None:
+            unit = " of the bounds" if occlusion.GetRadiusUnit() == occlusion.FRACTION_OF_BOUNDS else ""
+            parts.append(f"AmbientOcclusion(radius={occlusion.GetRadius():g}{unit}, "
+                         f"strength={occlusion.GetStrength():g}, tolerance={occlusion.GetTolerance():g})")
+        elif settings.get("ambient_occlusion"):
+            strength = settings.get("strength")
+            parts.append("AmbientOcclusion(rays only" + (f", strength={strength:g})" if strength else ")"))
+        if "vtkPenumbraLightShaftPass" in found:
+            parts.append(f"LightShafts(tolerance={found['vtkPenumbraLightShaftPass'].GetTolerance():g})")
+        if settings.get("shadows") or self._renderer.GetUseShadows() or "vtkShadowMapPass" in found:
+            angle = settings.get("light_angle", 0.0)
+            parts.append(f"Shadows(light_angle={angle:g})" if angle else "Shadows")
+        if settings.get("indirect_light"):
+            parts.append(f"IndirectLight(bounces={settings['bounces']})")
+        return " + ".join(parts) or "no effects"
+
     def ray_cast(
         self, *, tolerance: float = 1.0 / 256.0, light_tolerance: float = 0.0,
         window_size: tuple[int, int] | None = None,
         ambient_occlusion: bool | None = None, radius: float | None = None, falloff: Falloff = "none",
         strength: float | None = None, shadows: bool | None = None, light_shafts: bool | None = None,
-        light_radius: float = 0.0, light_angle: float = 0.0, indirect_light: bool = False,
-        environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3, cache: Cache = None,
+        light_radius: float = 0.0, light_angle: float | None = None, indirect_light: bool | None = None,
+        environment_color: ColorLike | None = None, albedo: float = 0.5, bounces: int | None = None, cache: Cache = None,
         point_radius: float = 0.0, line_radius: float = 0.0, time_limit: float = 0.0,
         transparent_background: bool = False, as_float: bool = False, return_statistics: bool = False, scale: int | None = None,
         progress: Progress | None = None,
@@ -232,18 +294,19 @@ class PlotterAccessor:
         window_size : tuple of int, optional
             Width and height in pixels. Default: the size of the plotter's window.
         ambient_occlusion, shadows, light_shafts : bool, optional
-            Draw these effects. Default: those that are enabled: ``enable_temporal_ssao``, ``enable_light_shafts``, and
-            ``enable_ssao`` and ``enable_shadows`` of PyVista.
+            Draw these effects. Default: those that are enabled: ``enable_temporal_ssao``, ``enable_light_shafts``,
+            ``look``, and ``enable_ssao`` and ``enable_shadows`` of PyVista.
         radius, falloff, strength
             Ambient occlusion. The radius is in world units, default: that of the pass, else a tenth of the diagonal of
             the bounds. Falloff as in ``mesh.penumbra.bake_ambient_occlusion``.
         light_radius, light_angle : float
             Radius of positional lights in world units, and angular diameter of directional lights in degrees,
-            [0, 180]. With ``shadows``, such lights cast penumbrae. 0: hard shadows.
-        indirect_light : bool
-            If True, add the light of the environment and of diffuse interreflection.
+            [0, 180]. With ``shadows``, such lights cast penumbrae. 0: hard shadows. Default: those of the look, else 0.
+        indirect_light : bool, optional
+            If True, add the light of the environment and of diffuse interreflection. Default: that of the look.
         environment_color, albedo, bounces
-            Parameters of indirect light, as in ``mesh.penumbra.bake_irradiance``.
+            Parameters of indirect light, as in ``mesh.penumbra.bake_irradiance``. Default: those of the look, else
+            black, 0.5 and 3.
         cache : {"world", "screen", "none"} or vtkPenumbraIrradianceProvider, optional
             Provider of ambient occlusion and indirect light, as in ``penumbra.render``.
         point_radius, line_radius : float
@@ -264,10 +327,13 @@ class PlotterAccessor:
         numpy.ndarray, shape (height, width, 3) or (height, width, 4), uint8 or float32
         """
         scale = self._scale(scale)
-        settings = Settings(
-            tolerance, light_tolerance, ambient_occlusion, radius, falloff, strength, shadows, light_shafts,
-            indirect_light, environment_color, albedo, bounces, transparent_background, 72 * scale,
-            light_radius, light_angle, point_radius, line_radius, cache, time_limit)
+        settings = self._settings(dict(
+            tolerance=tolerance, light_tolerance=light_tolerance, ambient_occlusion=ambient_occlusion, radius=radius,
+            falloff=falloff, strength=strength, shadows=shadows, light_shafts=light_shafts,
+            indirect_light=indirect_light, environment_color=environment_color, albedo=albedo, bounces=bounces,
+            transparent_background=transparent_background, dpi=72 * scale, light_radius=light_radius,
+            light_angle=light_angle, point_radius=point_radius, line_radius=line_radius, cache=cache,
+            time_limit=time_limit))
         window = self._plotter.render_window
         if window is None:
             raise RuntimeError("the plotter is closed: call ray_cast() before close() or show()")
@@ -398,7 +464,8 @@ class PlotterAccessor:
         prepare_plotter(self._plotter)
 
         def write(pixels_per_point: int, callback: Progress | None) -> dict[str, Any]:
-            settings = Settings(transparent_background=transparent_background, dpi=72 * pixels_per_point, **options)
+            settings = self._settings(
+                dict(transparent_background=transparent_background, dpi=72 * pixels_per_point, **options))
             return write_graphic(window, path, (pixels_per_point * width, pixels_per_point * height), settings,
                                  outline_width, outline_color, maximum_paths, callback)
 

@@ -10,6 +10,7 @@ from pyvista_render_passes import BasePassProvider
 
 from ._classes import vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass
 from .messages import observe_warnings
+from .passes import medium_bounds
 
 DEFAULTS: dict[str, Any] = {
     "ambient_occlusion": False,
@@ -62,6 +63,7 @@ class OcclusionProvider(BasePassProvider):
         if state["light_shafts"]:
             shafts = vtkPenumbraLightShaftPass()
             observe_warnings(shafts)
+            shafts.SetBounds(medium_bounds(renderer))
             shafts.SetDelegatePass(last_pass)
             last_pass = shafts
         return last_pass

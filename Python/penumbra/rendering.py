@@ -11,13 +11,12 @@ import numpy as np
 import numpy.typing as npt
 
 from ._backend import vtk_module
-from ._classes import (vtkPenumbraBruteForceIrradiance, vtkPenumbraIrradianceCache, vtkPenumbraMedium,
-                       vtkPenumbraRayCaster)
+from ._classes import vtkPenumbraIrradianceCache, vtkPenumbraMedium, vtkPenumbraRayCaster
 from .baking import ColorLike, Falloff, needed_bounces
 from .conversion import (FALLOFFS, check_choice, check_integer, check_radius, check_range, check_size, colors_of,
                          mesh_arrays, parse_color, poly_data, statistics_dict, to_bytes)
 from .messages import Progress, update, warn
-from .passes import passes_of
+from .passes import medium_bounds, passes_of
 
 Image = npt.NDArray[Any]
 Camera = Any
@@ -94,15 +93,11 @@ class Settings:
 
 def _make_provider(cache: Any) -> Any:
     """Return a provider of ambient occlusion and indirect light, None for the default of the ray caster."""
-    if cache == "none":
-        rays = vtkPenumbraBruteForceIrradiance()
-        rays.SetJoinPixels(True)
-        return rays
     if cache in ("world", "screen"):
         records = vtkPenumbraIrradianceCache()
         records.SetSpace(records.SCREEN if cache == "screen" else records.WORLD)
         return records
-    return cache
+    return None if cache == "none" else cache
 
 
 def _diagonal(renderer: Any) -> float:
@@ -184,7 +179,9 @@ def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> tup
     caster.SetAmbientOcclusionFalloff(FALLOFFS.index(settings.falloff))
     caster.SetAmbientOcclusionStrength(-1.0 if settings.strength is None else settings.strength)
     if settings.light_shafts:
-        caster.SetMedium(vtkPenumbraMedium())
+        medium = vtkPenumbraMedium()
+        medium.SetBounds(medium_bounds(renderer))
+        caster.SetMedium(medium)
     caster.SetIndirectLight(bool(settings.indirect_light))
     caster.SetEnvironmentColor(settings.environment_color)
     caster.SetAlbedo(settings.albedo)
