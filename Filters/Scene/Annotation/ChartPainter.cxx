@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChartPainter.h"
 
+#include "ChartShapes.h"
 #include "Features/SceneFeatures.h"
 #include "OverlayPainter.h"
 #include "Scene.h"
@@ -45,85 +46,9 @@ namespace penumbra
 namespace
 {
 
-/// Segments of a full ellipse.
-constexpr int EllipseSegments = 72;
-
-/// Values of the shapes of vtkContext2D::DrawMarkers(), whose enumeration VTK moved to a private header.
-enum class Markers
-{
-  CROSS = 1,
-  PLUS,
-  SQUARE,
-  CIRCLE,
-  DIAMOND
-};
-
-/// Returns the stipples of a line type of vtkPen, those of vtkOpenGLContextDevice2D: a bit per pixel.
-std::uint16_t FindStipples(int type)
-{
-  switch (type)
-  {
-    case vtkPen::NO_PEN:
-      return 0x0000;
-    case vtkPen::DASH_LINE:
-      return 0x00FF;
-    case vtkPen::DOT_LINE:
-      return 0x0101;
-    case vtkPen::DASH_DOT_LINE:
-      return 0x0C0F;
-    case vtkPen::DASH_DOT_DOT_LINE:
-      return 0x1C47;
-    default:
-      return 0xFFFF;
-  }
-}
-
 glm::vec4 ToColor(const vtkColor4ub& c)
 {
   return glm::vec4(c[0], c[1], c[2], c[3]) / 255.f;
-}
-
-/// Returns the part of a polygon on one side of an axis-aligned line.
-std::vector<OverlayVertex> ClipHalf(
-  const std::vector<OverlayVertex>& corners, int axis, double limit, double sign)
-{
-  std::vector<OverlayVertex> result;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    const OverlayVertex& a = corners[i];
-    const OverlayVertex& b = corners[(i + 1) % corners.size()];
-    const double da = sign * (a.Position[axis] - limit);
-    const double db = sign * (b.Position[axis] - limit);
-    if (da >= 0.0)
-    {
-      result.push_back(a);
-    }
-    if ((da >= 0.0) != (db >= 0.0))
-    {
-      const double t = da / (da - db);
-      result.push_back(
-        { glm::mix(a.Position, b.Position, t), glm::mix(a.Color, b.Color, static_cast<float>(t)),
-          glm::mix(a.Coordinates, b.Coordinates, t) });
-    }
-  }
-  return result;
-}
-
-/// Maps a texture to the rectangle around a polygon. VTK replaces the color of the brush by it.
-void StretchTexture(std::vector<OverlayVertex>& corners)
-{
-  glm::dvec2 low(corners.empty() ? glm::dvec2(0.0) : corners.front().Position);
-  glm::dvec2 high(low);
-  for (const OverlayVertex& corner : corners)
-  {
-    low = glm::min(low, corner.Position);
-    high = glm::max(high, corner.Position);
-  }
-  for (OverlayVertex& corner : corners)
-  {
-    corner.Color = glm::vec4(1.f);
-    corner.Coordinates = (corner.Position - low) / glm::max(high - low, glm::dvec2(1e-9));
-  }
 }
 
 /// Draws into an overlay.
@@ -191,8 +116,12 @@ public:
     const double half = 0.5 * this->Scale * std::max(this->Pen->GetWidth(), 1.f);
     for (int i = 0; i < n; ++i)
     {
-      this->DrawMarker(shape, this->ToPixels(points + 2 * i), half,
-        this->FindColor(this->Pen->GetColorObject(), colors, components, i));
+      const glm::vec4 color = this->FindColor(this->Pen->GetColorObject(), colors, components, i);
+      for (std::vector<OverlayVertex>& part :
+        MakeMarker(shape, this->ToPixels(points + 2 * i), half, std::max(1.0, this->Scale), color))
+      {
+        this->Fill(std::move(part), false);
+      }
     }
   }
 
@@ -456,11 +385,7 @@ private:
   {
     if (this->IsClipping)
     {
-      for (int axis = 0; axis < 2; ++axis)
-      {
-        corners = ClipHalf(corners, axis, this->ClipLow[axis], 1.0);
-        corners = ClipHalf(corners, axis, this->ClipHigh[axis], -1.0);
-      }
+      corners = Clip(corners, this->ClipLow, this->ClipHigh);
     }
     if (corners.size() < 3)
     {
@@ -500,56 +425,13 @@ private:
       colors ? colors->GetPointer(0) : nullptr, colors ? colors->GetNumberOfComponents() : 0);
   }
 
-  /// Draws a marker.
-  void DrawMarker(int shape, glm::dvec2 center, double half, glm::vec4 color)
-  {
-    const auto at = [&](double x, double y) {
-      return OverlayVertex{ center + half * glm::dvec2(x, y), color };
-    };
-    const double thickness = std::max(1.0, this->Scale);
-    switch (static_cast<Markers>(shape))
-    {
-      case Markers::CROSS:
-        this->FillSegment(at(-1.0, -1.0).Position, at(1.0, 1.0).Position, 0.0, thickness, color);
-        this->FillSegment(at(-1.0, 1.0).Position, at(1.0, -1.0).Position, 0.0, thickness, color);
-        break;
-      case Markers::PLUS:
-        this->FillSegment(at(-1.0, 0.0).Position, at(1.0, 0.0).Position, 0.0, thickness, color);
-        this->FillSegment(at(0.0, -1.0).Position, at(0.0, 1.0).Position, 0.0, thickness, color);
-        break;
-      case Markers::SQUARE:
-        this->Fill({ at(-1.0, -1.0), at(1.0, -1.0), at(1.0, 1.0), at(-1.0, 1.0) }, false);
-        break;
-      case Markers::CIRCLE:
-      {
-        std::vector<OverlayVertex> corners;
-        for (int i = 0; i < EllipseSegments; ++i)
-        {
-          const double angle = glm::radians(360.0 * i / EllipseSegments);
-          corners.push_back(at(std::cos(angle), std::sin(angle)));
-        }
-        this->Fill(std::move(corners), false);
-        break;
-      }
-      case Markers::DIAMOND:
-        this->Fill({ at(-1.0, 0.0), at(0.0, -1.0), at(1.0, 0.0), at(0.0, 1.0) }, false);
-        break;
-      default:
-        break;
-    }
-  }
-
   std::vector<OverlayVertex> MakeArc(
     glm::dvec2 center, glm::dvec2 radii, double startAngle, double stopAngle) const
   {
-    const int count =
-      std::max(1, static_cast<int>(EllipseSegments * std::abs(stopAngle - startAngle) / 360.0));
     std::vector<OverlayVertex> corners;
-    for (int i = 0; i <= count; ++i)
+    for (const glm::dvec2& point : MakeEllipticArc(center, radii, startAngle, stopAngle))
     {
-      const double angle = glm::radians(startAngle + i * (stopAngle - startAngle) / count);
-      const float p[2] = { static_cast<float>(center.x + radii.x * std::cos(angle)),
-        static_cast<float>(center.y + radii.y * std::sin(angle)) };
+      const float p[2] = { static_cast<float>(point.x), static_cast<float>(point.y) };
       corners.push_back({ this->ToPixels(p), ToColor(this->Brush->GetColorObject()) });
     }
     return corners;
@@ -564,49 +446,11 @@ private:
   void DrawPixels(glm::dvec2 from, glm::dvec2 to, glm::vec4 color, double& length)
   {
     const double width = this->Scale * std::max(this->Pen->GetWidth(), 1.f);
-    const std::uint16_t stipples = FindStipples(this->Pen->GetLineType());
-    const double total = glm::length(to - from);
-    if (stipples == 0 || !(total > 0.0))
+    for (std::vector<OverlayVertex>& dash :
+      MakeDashes(from, to, width, this->Pen->GetLineType(), this->Scale, color, length))
     {
-      return;
+      this->Fill(std::move(dash), false);
     }
-    if (stipples == 0xFFFF)
-    {
-      this->FillSegment(from, to, 0.5 * width, width, color);
-      return;
-    }
-    const glm::dvec2 along = (to - from) / total;
-    for (double at = 0.0; at < total;)
-    {
-      // The next stipples of one kind.
-      const auto bit = [&](double x) {
-        return (stipples >> (static_cast<int>((length + x) / this->Scale) % 16)) & 1;
-      };
-      const int isDrawn = bit(at);
-      double end = at;
-      while (end < total && bit(end) == isDrawn)
-      {
-        end += this->Scale;
-      }
-      end = std::min(end, total);
-      if (isDrawn)
-      {
-        this->FillSegment(from + at * along, from + end * along, 0.0, width, color);
-      }
-      at = end;
-    }
-    length += total;
-  }
-
-  void FillSegment(glm::dvec2 from, glm::dvec2 to, double more, double width, glm::vec4 color)
-  {
-    const glm::dvec2 along = (to - from) / glm::length(to - from);
-    const glm::dvec2 across = 0.5 * width * glm::dvec2(-along.y, along.x);
-    from -= more * along;
-    to += more * along;
-    this->Fill({ { from - across, color }, { to - across, color }, { to + across, color },
-                 { from + across, color } },
-      false);
   }
 
   Overlay* Image = nullptr;
