@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
 """A movie of a turning nut by PyVista's writer of movies: by OpenGL, converged, and by rays."""
+from typing import Any
+
 import numpy
 import PIL.Image
 import penumbra  # noqa: F401
@@ -10,13 +12,14 @@ import pyvista as pv
 class Gif:
     """Writes a GIF with Pillow, as the writers of imageio that open_gif() and open_movie() need."""
 
-    def __init__(self, path):
-        self.path, self.frames = path, []
+    def __init__(self, path: str) -> None:
+        self.path = path
+        self.frames: list[PIL.Image.Image] = []
 
-    def append_data(self, image):
+    def append_data(self, image: Any) -> None:
         self.frames.append(PIL.Image.fromarray(numpy.asarray(image)))
 
-    def close(self):
+    def close(self) -> None:
         self.frames[0].save(self.path, save_all=True, append_images=self.frames[1:], duration=125, loop=0)
 
 
