@@ -98,6 +98,32 @@ TEST(ScalarBar, LabelsHaveTheValuesOfTheirPositions)
   EXPECT_TRUE(RenderTexts({ "--scalar-bar-labels", "0", "--scalar-bar-title", "" }).empty());
 }
 
+TEST(ScalarBar, TextsEndWithinTheImage)
+{
+  const Folder folder("border");
+  const std::vector<std::string> wide = { "-b", "--camera-zoom-factor", "0.01", "--coloring-range",
+    "-123456,100000", "--scalar-bar-title", "Velocity magnitude [m/s]" };
+  for (const std::vector<std::string>& more :
+    { std::vector<std::string>{}, { "--scalar-bar-format", "%.8e" },
+      { "--scalar-bar-size", "0.1,0.6" }, { "--scalar-bar-size", "0.95,0.1" },
+      { "--look", "figure", "--background-color", "black" } })
+  {
+    std::vector<std::string> options = wide;
+    options.insert(options.end(), more.begin(), more.end());
+    ASSERT_EQ(Render(folder, "bar.png", options).Status, 0);
+    const auto image = ReadImage(folder / "bar.png");
+    int lit = 0;
+    for (int y = 0; y < 300; ++y)
+    {
+      for (const int x : { 0, 1, 398, 399 })
+      {
+        lit += PixelAt(image, x, y)[0] > 0.1;
+      }
+    }
+    EXPECT_EQ(lit, 0) << (more.empty() ? "" : more[1]);
+  }
+}
+
 TEST(ScalarBar, PositionAndSizeAreFractionsOfTheImage)
 {
   const Folder folder("position");
