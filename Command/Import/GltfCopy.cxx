@@ -6,6 +6,7 @@
 #include "Files/InputFiles.h"
 #include "Files/MappedFile.h"
 #include "Files/TemporaryFile.h"
+#include "GltfAttributes.h"
 #include "GltfContainer.h"
 #include "GltfImages.h"
 #include "GltfVersion1.h"
@@ -68,18 +69,31 @@ public:
       const std::string uri = buffer.value("uri", std::string());
       return uri.find_first_of(" \\") != uri.npos && uri.compare(0, 5, "data:") != 0;
     });
-    return this->WasVersion1 || isSparse || isUnusual || this->Root.contains("images") ||
-      this->Root.contains("textures") || this->Root.contains("extensionsRequired");
+    const bool hasScene = this->Root.contains("scenes");
+    const bool isQuantized = !FindQuantizedAccessors(this->Root).empty();
+    return this->WasVersion1 || isSparse || isUnusual || !hasScene || isQuantized ||
+      this->Root.contains("images") || this->Root.contains("textures") ||
+      this->Root.contains("extensionsRequired");
+  }
+
+  void SimplifyMaterials(std::vector<std::string>& warnings)
+  {
+    UseFirstTextureCoordinates(this->Root, warnings);
   }
 
   /// Makes one buffer and dense accessors.
   void SimplifyGeometry()
   {
     this->RefuseCompression();
+    AddScene(this->Root);
     this->JoinBuffers();
     for (Json& accessor : this->Root["accessors"])
     {
       this->MakeDense(accessor);
+    }
+    for (const std::size_t accessor : FindQuantizedAccessors(this->Root))
+    {
+      this->MakeFloat(this->Root["accessors"][accessor]);
     }
     this->AddEndsOfAnimations();
     this->RemoveExtensions();
@@ -246,6 +260,26 @@ private:
     accessor["byteOffset"] = 0;
   }
 
+  /// Replaces integers by floating-point numbers.
+  void MakeFloat(Json& accessor)
+  {
+    const std::size_t count = accessor.at("count").get<std::size_t>();
+    const std::size_t size = ElementSize(accessor);
+    const std::vector<float> values = ToFloats(this->ReadElements(accessor, count, size), accessor);
+    const std::size_t components = size / ComponentSize(accessor.at("componentType").get<int>());
+    std::vector<float> least(values.begin(), values.begin() + (count > 0 ? components : 0));
+    std::vector<float> largest = least;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      least[i % components] = std::min(least[i % components], values[i]);
+      largest[i % components] = std::max(largest[i % components], values[i]);
+    }
+    const auto* bytes = reinterpret_cast<const char*>(values.data());
+    accessor = { { "bufferView", this->AddView(std::string(bytes, sizeof(float) * values.size())) },
+      { "byteOffset", 0 }, { "componentType", FloatType }, { "count", count },
+      { "type", accessor["type"] }, { "min", least }, { "max", largest } };
+  }
+
   /// Adds the largest time of animations, which version 2 requires and version 1 does not.
   void AddEndsOfAnimations()
   {
@@ -320,12 +354,15 @@ private:
   void EmbedImages(std::vector<std::string>& warnings)
   {
     std::set<std::size_t> bad;
+    const std::set<std::size_t> used = FindUsedImages(this->Root);
     Json images = this->List("images");
     for (std::size_t i = 0; i < images.size(); ++i)
     {
-      const std::string bytes = this->ReadImageBytes(images[i]);
+      const bool isUsed =
+        used.count(i) > 0; // Others are alternatives for programs with an extension.
+      const std::string bytes = isUsed ? this->ReadImageBytes(images[i]) : std::string();
       std::string type = FindDecodableType(bytes);
-      if (type.empty())
+      if (isUsed && type.empty())
       {
         bad.insert(i);
         warnings.push_back("the texture " + NameImage(images[i], i) +
@@ -392,6 +429,10 @@ std::string CopyGltf(const std::string& path, Appearance* appearance)
     if (!copy.IsNeeded())
     {
       return {};
+    }
+    if (appearance)
+    {
+      copy.SimplifyMaterials(appearance->Warnings);
     }
     copy.SimplifyGeometry();
     if (appearance)

@@ -102,6 +102,24 @@ std::string MakeWhitePng()
     static_cast<std::size_t>(bytes->GetNumberOfValues()));
 }
 
+std::set<std::size_t> FindUsedImages(const nlohmann::json& root)
+{
+  std::set<std::size_t> used;
+  const auto textures = root.find("textures");
+  if (textures != root.end() && textures->is_array())
+  {
+    for (const Json& texture : *textures)
+    {
+      const auto source = texture.find("source");
+      if (source != texture.end() && source->is_number_unsigned())
+      {
+        used.insert(source->get<std::size_t>());
+      }
+    }
+  }
+  return used;
+}
+
 void RemoveTextures(nlohmann::json& root, const std::set<std::size_t>& badImages)
 {
   std::set<std::size_t> badTextures;

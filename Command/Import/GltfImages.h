@@ -19,6 +19,9 @@ std::string FindDecodableType(const std::string& bytes);
 /// Returns a white image of one pixel as .png.
 std::string MakeWhitePng();
 
+/// Returns the images that textures use.
+std::set<std::size_t> FindUsedImages(const nlohmann::json& root);
+
 /// Removes the references of all materials in `root` to textures whose image is missing or in
 /// `badImages`.
 void RemoveTextures(nlohmann::json& root, const std::set<std::size_t>& badImages);
