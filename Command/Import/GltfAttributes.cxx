@@ -85,21 +85,29 @@ void VisitTextures(Json& object, const Visitor& visit)
   }
 }
 
+/// Values of another type are ignored.
+int IntegerOf(const Json& object, const char* name, int otherwise)
+{
+  const auto found = object.find(name);
+  return found != object.end() && found->is_number_integer() ? found->get<int>() : otherwise;
+}
+
 Json* FindTransform(Json& texture)
 {
   const auto extensions = texture.find("extensions");
-  if (extensions == texture.end() || !extensions->contains("KHR_texture_transform"))
+  if (extensions == texture.end() || !extensions->is_object())
   {
     return nullptr;
   }
-  return &(*extensions)["KHR_texture_transform"];
+  const auto transform = extensions->find("KHR_texture_transform");
+  return transform != extensions->end() && transform->is_object() ? &*transform : nullptr;
 }
 
 int FindSet(Json& texture)
 {
   Json* const transform = FindTransform(texture);
-  const int set = texture.value("texCoord", 0);
-  return transform ? transform->value("texCoord", set) : set;
+  const int set = IntegerOf(texture, "texCoord", 0);
+  return transform ? IntegerOf(*transform, "texCoord", set) : set;
 }
 
 void UseFirstSet(Json& texture)
@@ -214,7 +222,7 @@ void UseFirstTextureCoordinates(Json& root, std::vector<std::string>& warnings)
   {
     for (Json& material : root["materials"])
     {
-      sets.push_back(ReduceToOneSet(material, isReduced));
+      sets.push_back(material.is_object() ? ReduceToOneSet(material, isReduced) : 0);
     }
   }
   if (isReduced)

@@ -156,6 +156,9 @@ TEST(GltfAttributes, OtherSetsOfTextureCoordinatesAreUsed)
   Document& texture = root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
   texture["texCoord"] = 1;
   ExpectEqual(folder, "second", root);
+  texture["extensions"]["KHR_texture_transform"] = "not an object";
+  ExpectEqual(folder, "wrong", root);
+  texture.erase("extensions");
 
   // The texture of the first set is not drawn.
   root["materials"][0]["occlusionTexture"] = { { "index", 0 } };
