@@ -2,22 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Measures the ray caster on large and moving scenes: the time of extraction and of the BVH while
-// the camera orbits, a million spheres, and ten million triangles. Run it with `./penumbra benchmark scale`, which also fetches the mesh.
+// the camera orbits, after one of many actors has changed, a million spheres, and ten million triangles. Run it with `./penumbra benchmark scale`, which also fetches the mesh.
 #include "Benchmark.h"
 #include "Meshes.h"
 #include "Program.h"
 #include "Scenes/AccuracyScenes.h"
 #include "Scenes/TestScene.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkNew.h"
 #include "vtkPenumbraRayCaster.h"
 #include "vtkPolyData.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
+#include "vtkSphereSource.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <functional>
 
 namespace
 {
@@ -27,6 +32,7 @@ using namespace penumbra;
 constexpr int Frames = 36;
 constexpr double OrbitTarget =
   0.02; // extraction and build of a frame, as a fraction of the first's
+constexpr double ChangeTarget = 0.01; // the same after one of 1,000 actors has changed
 constexpr double GyroidTriangles = 1e6;
 constexpr int Width = 320;
 constexpr int Height = 192;
@@ -95,6 +101,63 @@ void MeasureOrbit(vtkPolyData* mesh, const std::string& name, int threads, Resul
     "mean of frames 2 to 36: " + Describe(others, count));
 }
 
+/// Spheres in a cubic grid.
+constexpr int ActorsPerSide = 10;
+
+/// Measures the next images after one of many actors has changed.
+void MeasureChanges(Options& options)
+{
+  const vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+  std::vector<vtkSmartPointer<vtkActor>> actors;
+  for (int i = 0; i < ActorsPerSide * ActorsPerSide * ActorsPerSide; ++i)
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(i % ActorsPerSide, i / ActorsPerSide % ActorsPerSide,
+      static_cast<double>(i / (ActorsPerSide * ActorsPerSide)));
+    sphere->SetRadius(0.4);
+    sphere->SetThetaResolution(32);
+    sphere->SetPhiResolution(18);
+    sphere->Update();
+    actors.push_back(AddMesh(renderer, sphere->GetOutput(), true));
+  }
+  LookAlong(renderer, { -0.3, -0.4, -1.0 }, { 0.0, 1.0, 0.0 }, Width, Height);
+  vtkNew<vtkPenumbraRayCaster> caster;
+  caster->SetRenderer(renderer);
+  caster->SetResolution(Width, Height);
+  caster->SetNumberOfThreads(1);
+  caster->KeepSceneOn();
+  const Phases first = Render(caster);
+  struct
+  {
+    const char* Name;
+    std::function<void(vtkActor*, int)> Apply;
+  } const changes[] = {
+    { "moves", [](vtkActor* actor, int frame) { actor->SetPosition(0.1, 0.01 * frame, 0.0); } },
+    { "changes its color",
+      [](vtkActor* actor, int frame) { actor->GetProperty()->SetColor(1.0, 0.02 * frame, 0.0); } },
+    { "is hidden or shown",
+      [](vtkActor* actor, int frame) { actor->SetVisibility(frame % 2 == 0); } },
+  };
+  // In the middle of the grid.
+  vtkActor* const actor = actors[ActorsPerSide / 2 * (1 + ActorsPerSide * (1 + ActorsPerSide))];
+  for (const auto& change : changes)
+  {
+    std::vector<double> seconds;
+    Phases last{};
+    for (int frame = 1; frame < Frames; ++frame)
+    {
+      change.Apply(actor, frame);
+      last = Render(caster);
+      seconds.push_back(GetPreparation(last));
+    }
+    std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2, seconds.end());
+    options.Results.Add("1,000 actors of 1,024 triangles, 1 thread",
+      std::string("one ") + change.Name + ": extraction + build, median / those of the first image",
+      seconds[seconds.size() / 2] / GetPreparation(first), TargetKind::AtMost, ChangeTarget,
+      "last image: " + Describe(last, 1.0) + "; first: " + Describe(first, 1.0));
+  }
+}
+
 void MeasureOrbits(Options& options)
 {
   const vtkSmartPointer<vtkPolyData> dragon =
@@ -116,16 +179,18 @@ int main(int argc, char** argv)
   program.Name = "scale";
   program.Title = "Large and moving scenes: measurements and targets";
   program.Usage =
-    "--meshes FOLDER --output FOLDER [--python PROGRAM] [--only orbit|spheres|triangles]";
+    "--meshes FOLDER --output FOLDER [--python PROGRAM] [--only orbit|changes|spheres|triangles]";
   program.Values = { { "--meshes", &options.Meshes, true }, { "--output", &options.Output, true },
     { "--python", &options.Python, false } };
   program.Parts = { { "orbit", [&] { MeasureOrbits(options); } },
+    { "changes", [&] { MeasureChanges(options); } },
     { "spheres", [&] { MeasureSpheres(options); } },
     { "triangles", [&] { MeasureTriangles(options); } } };
   vtkSMPTools::Initialize(2);
   return program.Run(argc, argv, options.Results, options.Output, [] {
     return std::vector<std::string>{ "elapsed time; " + DateLine(), VersionLine(),
       "orbit: 36 frames of 320 x 192 pixels with KeepScene, 10 degrees apart",
+      "1,000 actors: 36 images of 320 x 192 pixels with KeepScene, the camera does not move",
       "a million spheres: 1000 x 600 pixels, radius 0.5 in a cube of side 100, ambient occlusion "
       "of radius "
       "3, tolerance 0.05; PyVista: points of 3 pixels as spheres, no antialiasing, SSAO",

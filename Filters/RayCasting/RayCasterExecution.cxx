@@ -427,6 +427,7 @@ void vtkPenumbraRayCaster::Internals::Report(const penumbra::ImageTotals& totals
   AddStatistic(s, "Pixels/Uniform", totals.Pixels.Uniform);
   AddStatistic(s, "Edges/Projected", totals.Edges);
   AddStatistic(s, "Scene/Extractions", this->Extractions);
+  AddStatistic(s, "Scene/ChangedSurfaces", this->ChangedSurfaces);
   this->EstimatedError = totals.ComputeError(pixels);
   this->EstimatedLightError = totals.ComputeLightError(pixels);
 }

@@ -71,6 +71,7 @@ void vtkPenumbraRayCaster::Internals::ResetResults()
   this->EstimatedLightError = std::nan("");
   this->PhaseSeconds.fill(0.0);
   this->Extractions = 0;
+  this->ChangedSurfaces = 0;
   this->Start = std::chrono::steady_clock::now();
 }
 
@@ -110,7 +111,8 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   auto prepared = std::make_unique<PreparedScene>();
   penumbra::Scene& scene = prepared->SceneData;
   penumbra::PhaseTimer timer(this->PhaseSeconds);
-  scene = this->Renderer ? penumbra::ExtractScene(this->Renderer, options)
+  scene = this->Renderer ? penumbra::ExtractScene(this->Renderer, options,
+                             this->KeepsScene(self) ? &prepared->Record : nullptr)
                          : penumbra::ExtractScene(data, options);
   timer.End(EXTRACTION);
   ++this->Extractions;
@@ -120,17 +122,16 @@ void vtkPenumbraRayCaster::Internals::Prepare(
     this->ChangeScene(scene);
   }
   this->WarnOfScene(self, scene);
+  const bool isDynamic = prepared->Record.Props.size() > 1;
   prepared->Rays =
-    std::make_unique<penumbra::RayScene>(scene, self->NumberOfThreads, options.Progress);
+    std::make_unique<penumbra::RayScene>(scene, self->NumberOfThreads, options.Progress, isDynamic);
   timer.End(BUILD);
   prepared->Edges = penumbra::FindSceneEdges(scene, MakeSettings(self), options.Progress);
   timer.End(EDGES);
   this->Prepared = std::move(prepared);
-  this->AreEdgesCurrent = true;
   this->PreparedTime = computeTime(); // extraction may have updated the mappers
   this->PreparedRenderer = this->Renderer;
   this->SettingsTime = self->vtkAlgorithm::GetMTime();
-  this->GeometryTime = this->Renderer ? penumbra::GetGeometryMTime(this->Renderer) : 0;
 }
 
 void vtkPenumbraRayCaster::Internals::DropScene()
@@ -148,34 +149,45 @@ bool vtkPenumbraRayCaster::Internals::UpdatePrepared(
   vtkPenumbraRayCaster* self, const penumbra::ExtractionOptions& options)
 {
   penumbra::PhaseTimer timer(this->PhaseSeconds);
-  // UpdateView() computes the visible bounds, which updates the pipelines of the mappers.
   if (!this->Prepared || !this->KeepsScene(self) ||
     this->PreparedRenderer.Get() != this->Renderer.Get() ||
-    self->vtkAlgorithm::GetMTime() != this->SettingsTime ||
-    penumbra::GetGeometryMTime(this->Renderer) != this->GeometryTime ||
-    !penumbra::UpdateView(this->Renderer, options, this->Prepared->SceneData) ||
-    penumbra::GetGeometryMTime(this->Renderer) != this->GeometryTime)
+    self->vtkAlgorithm::GetMTime() != this->SettingsTime)
   {
     return false;
   }
-  RequireUsable(this->Prepared->SceneData);
-  this->Prepared->Rays->RenewId();
-  this->WarnOfScene(self, this->Prepared->SceneData);
+  PreparedScene& prepared = *this->Prepared;
+  const auto updateRays = [&](const std::vector<penumbra::SurfaceChange>& changes) {
+    timer.End(EXTRACTION);
+    prepared.Rays->Update(changes, options.Progress);
+    timer.End(BUILD);
+    std::vector<penumbra::SurfaceChange>& all = prepared.ChangesSinceEdges;
+    all.insert(all.end(), changes.begin(), changes.end());
+    this->ChangedSurfaces = static_cast<int>(changes.size());
+  };
+  if (!penumbra::UpdateScene(
+        this->Renderer, options, prepared.Record, prepared.SceneData, updateRays))
+  {
+    return false;
+  }
+  RequireUsable(prepared.SceneData);
+  this->WarnOfScene(self, prepared.SceneData);
   timer.End(EXTRACTION);
-  this->AreEdgesCurrent = false;
+  prepared.AreEdgesCurrent = false;
   return true;
 }
 
 void vtkPenumbraRayCaster::Internals::UpdateEdges(
   vtkPenumbraRayCaster* self, const penumbra::ProgressCallback& progress)
 {
-  if (!this->AreEdgesCurrent)
+  PreparedScene& prepared = *this->Prepared;
+  if (!prepared.AreEdgesCurrent)
   {
     penumbra::PhaseTimer timer(this->PhaseSeconds);
     penumbra::UpdateSceneEdges(
-      this->Prepared->SceneData, MakeSettings(self), progress, this->Prepared->Edges);
+      prepared.SceneData, MakeSettings(self), prepared.ChangesSinceEdges, progress, prepared.Edges);
     timer.End(EDGES);
-    this->AreEdgesCurrent = true;
+    prepared.AreEdgesCurrent = true;
+    prepared.ChangesSinceEdges.clear();
   }
 }
 

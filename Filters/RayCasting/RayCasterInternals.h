@@ -55,8 +55,12 @@ struct vtkPenumbraRayCaster::Internals
   struct PreparedScene
   {
     penumbra::Scene SceneData;
+    penumbra::SceneRecord Record; ///< of the renderer, if the scene is kept
     std::unique_ptr<penumbra::RayScene> Rays;
     penumbra::SceneEdges Edges;
+    /// Edges belong to the former camera and to the former surfaces of these changes.
+    bool AreEdgesCurrent = true;
+    std::vector<penumbra::SurfaceChange> ChangesSinceEdges;
   };
 
   struct Execution;
@@ -86,14 +90,13 @@ struct vtkPenumbraRayCaster::Internals
   double EstimatedLightError = std::nan("");
   double TileTolerance = 0.0;              ///< accepted error of a tile of the current image
   std::unique_ptr<PreparedScene> Prepared; ///< kept while an update requests only part of the image
-  bool AreEdgesCurrent = true;             ///< the edges of Prepared belong to its camera
   vtkMTimeType PreparedTime = 0;
   vtkWeakPointer<vtkRenderer> PreparedRenderer; ///< renderer of Prepared; null: data sets
   vtkMTimeType SettingsTime = 0;                ///< of the ray caster's own settings, for Prepared
-  vtkMTimeType GeometryTime = 0;                ///< of the renderer's props, for Prepared
   std::vector<double> DepthOffsets;             ///< of the mappers of the renderer
   penumbra::PhaseTimes PhaseSeconds{};
   int Extractions = 0;          ///< number of scenes extracted by the last execution
+  int ChangedSurfaces = 0;      ///< number of surfaces of a kept scene that it extracted again
   std::set<std::string> Warned; ///< warnings of the scene that were reported
   bool IsComputingMTime = false;
   /// If set, called with the extracted scene before its edges and its BVH are built.

@@ -345,8 +345,9 @@ public:
 
   ///@{
   /**
-   * If on, keep the triangles of Renderer and their BVH for the next images, as long as nothing but
-   * the camera, the lights, the background, annotations and their settings changes. This takes
+   * If on, keep the triangles of Renderer and their BVH for the next images. Only the props that change
+   * are extracted again, as long as none is added or removed, the bounds of all visible props remain the
+   * same, and no setting of the ray caster changes. This takes
    * memory between the images. The coordinates of the scene are then relative to a point beside its
    * bounds, not to the camera, which changes the rounding of colors. Every image is the same as that
    * of a new ray caster with this option. Scenes with lines, points, images or text whose size or

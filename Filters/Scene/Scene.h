@@ -40,11 +40,8 @@ struct Scene
 {
   glm::dvec3 Origin{ 0.0 };
   double Scale = 1.0;
-  /// If true, Origin, Scale and Surfaces do not depend on the camera, see UpdateView().
+  /// If true, Origin, Scale and Surfaces do not depend on the camera, see UpdateScene().
   bool HasFixedOrigin = false;
-  std::array<double, 6> VisibleBounds{}; ///< world bounds of the visible props, if HasFixedOrigin
-  std::array<double, 6>
-    OriginBounds{};              ///< those that determine Origin and Scale, if HasFixedOrigin
   Camera ViewCamera;             ///< in scene coordinates
   std::vector<Surface> Surfaces; ///< Surface.h is needed to create and destroy scenes
   std::vector<Light> Lights;

@@ -140,6 +140,13 @@ struct Surface
   glm::vec3 ComputeNormal(std::uint32_t triangle) const;
 };
 
+/// A surface of a scene that was replaced.
+struct SurfaceChange
+{
+  std::uint32_t Surface;
+  bool IsMoved; ///< rays hit others of its triangles, spheres or tubes, or hit them elsewhere
+};
+
 inline std::size_t Surface::GetNumberOfPrimitives() const
 {
   return this->Instances     ? this->Triangles.size() * this->Instances->GetCount()

@@ -48,15 +48,27 @@ SceneEdges FindSceneEdges(
 }
 
 void UpdateSceneEdges(const Scene& scene, const RenderSettings& settings,
-  const ProgressCallback& progress, SceneEdges& edges)
+  const std::vector<SurfaceChange>& changes, const ProgressCallback& progress, SceneEdges& edges)
 {
+  std::vector<char> isChanged(edges.EdgesBySurface.size(), 0);
+  for (const SurfaceChange& change : changes)
+  {
+    if (change.Surface < isChanged.size()) // no edges are found without small objects
+    {
+      isChanged[change.Surface] = 1;
+    }
+  }
   for (std::size_t i = 0; i < edges.EdgesBySurface.size(); ++i)
   {
     ThrowIfStopped(progress, 0.0);
     const Surface& surface = scene.Surfaces[i];
     const char wasDense = edges.Dense[i];
     edges.Dense[i] = HasSubpixelTriangles(surface, scene.ViewCamera);
-    if ((edges.Dense[i] || wasDense) && !surface.Instances)
+    if (isChanged[i])
+    {
+      edges.Unsteady[i] = HasUnsteadyNormals(surface);
+    }
+    if (isChanged[i] || ((edges.Dense[i] || wasDense) && !surface.Instances))
     {
       edges.EdgesBySurface[i] = FindEdges(
         surface, edges.Dense[i], edges.Unsteady[i], settings.Integration, scene.ViewCamera);

@@ -18,6 +18,8 @@
 namespace penumbra
 {
 
+struct SurfaceChange;
+
 /// Settings that are the same for all regions of an image.
 struct RenderSettings
 {
@@ -48,10 +50,11 @@ struct SceneEdges
 VTKPENUMBRAFILTERSRAYCASTING_EXPORT SceneEdges FindSceneEdges(
   const Scene& scene, const RenderSettings& settings, const ProgressCallback& progress = {});
 
-/// Finds the edges again that depend on the camera of `scene`, after it has moved. `edges` are those
-/// of the same surfaces with the same settings. Throws Stopped if `progress` requests a stop.
+/// Finds the edges again that depend on the camera of `scene`, after it has moved, and those of the
+/// surfaces that were replaced. `edges` are those of the former scene with the same settings. Throws
+/// Stopped if `progress` requests a stop.
 void UpdateSceneEdges(const Scene& scene, const RenderSettings& settings,
-  const ProgressCallback& progress, SceneEdges& edges);
+  const std::vector<SurfaceChange>& changes, const ProgressCallback& progress, SceneEdges& edges);
 
 /// The pixels [Low, High) of the image with their results, row by row from the bottom.
 struct ImageRegion

@@ -173,68 +173,112 @@ float CandidateHits::Add(const CandidateHit& hit, float tolerance, bool isLastIn
   return nearest;
 }
 
-CoincidentSurfaces::CoincidentSurfaces(const Scene& scene)
-  : TracedScene(scene),
-    DepthTolerances(scene.Surfaces.size(), 0.f),
-    LastInFront(scene.Surfaces.size(), 0),
-    DrawOrder(scene.Surfaces.size(), 0),
-    NextInOrder(scene.Surfaces.size(), 0)
+CoincidentSurfaces::Traits::Traits(const Surface& surface)
+  : Bounds(ComputeBounds(surface)),
+    HasTriangles(!surface.Triangles.empty()),
+    IsTranslucent(surface.IsTranslucent()),
+    MayCoincideWithItself(penumbra::MayCoincideWithItself(surface)),
+    SortKey(MakeSortKey(surface))
 {
-  std::vector<AxisAlignedBox> boxes(scene.Surfaces.size());
-  std::transform(scene.Surfaces.begin(), scene.Surfaces.end(), boxes.begin(), ComputeBounds);
-  std::vector<std::uint32_t> order(boxes.size());
-  std::iota(order.begin(), order.end(), 0u);
-  order.erase(std::remove_if(order.begin(), order.end(),
-                [&](std::uint32_t i) { return scene.Surfaces[i].Triangles.empty(); }),
-    order.end());
-  std::sort(order.begin(), order.end(),
-    [&](std::uint32_t a, std::uint32_t b) { return boxes[a].Low.x < boxes[b].Low.x; });
-  float largest = 0.f;
-  for (const std::uint32_t i : order)
+}
+
+CoincidentSurfaces::CoincidentSurfaces(const Scene& scene)
+  : TracedScene(scene)
+{
+  for (const Surface& surface : scene.Surfaces)
   {
-    largest = std::max(largest, ComputeDepthTolerance(boxes[i]));
+    this->TraitsBySurface.emplace_back(surface);
   }
-  for (std::size_t i = 0; i < order.size(); ++i)
+  this->Sort();
+}
+
+void CoincidentSurfaces::Update(const std::vector<std::uint32_t>& surfaces)
+{
+  for (const std::uint32_t i : surfaces)
   {
-    const AxisAlignedBox& a = boxes[order[i]];
-    if (MayCoincideWithItself(scene.Surfaces[order[i]]))
+    this->TraitsBySurface[i] = Traits(this->TracedScene.Surfaces[i]);
+  }
+  this->Sort();
+}
+
+void CoincidentSurfaces::Sort()
+{
+  const std::size_t count = this->TraitsBySurface.size();
+  this->DepthTolerances.assign(count, 0.f);
+  this->LastInFront.assign(count, 0);
+  this->DrawOrder.assign(count, 0);
+  this->NextInOrder.assign(count, 0);
+  this->Empty = true;
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    if (this->TraitsBySurface[i].HasTriangles)
     {
-      this->Empty = false;
-      this->LastInFront[order[i]] = 1;
-      this->DepthTolerances[order[i]] =
-        std::max(this->DepthTolerances[order[i]], ComputeDepthTolerance(a));
-    }
-    for (std::size_t j = i + 1; j < order.size() && boxes[order[j]].Low.x <= a.High.x + largest;
-         ++j)
-    {
-      const AxisAlignedBox& b = boxes[order[j]];
-      const float tolerance = std::max(ComputeDepthTolerance(a), ComputeDepthTolerance(b));
-      if (AreNear(a, b, tolerance))
-      {
-        this->Empty = false;
-        this->DepthTolerances[order[i]] = std::max(this->DepthTolerances[order[i]], tolerance);
-        this->DepthTolerances[order[j]] = std::max(this->DepthTolerances[order[j]], tolerance);
-      }
+      order.push_back(i);
     }
   }
+  std::sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
+    return this->TraitsBySurface[a].Bounds.Low.x < this->TraitsBySurface[b].Bounds.Low.x;
+  });
+  this->FindNear(order);
   order.erase(std::remove_if(order.begin(), order.end(),
                 [&](std::uint32_t i) { return !(DepthTolerances[i] > 0.f); }),
     order.end());
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const auto keyOfA = MakeSortKey(scene.Surfaces[a]);
-    const auto keyOfB = MakeSortKey(scene.Surfaces[b]);
-    return keyOfA != keyOfB ? keyOfA < keyOfB : a > b;
+  this->FindOrder(std::move(order));
+}
+
+// `sorted` are the surfaces with triangles in the order of their lowest x.
+void CoincidentSurfaces::FindNear(const std::vector<std::uint32_t>& sorted)
+{
+  std::vector<float> tolerances;
+  for (const std::uint32_t i : sorted)
+  {
+    tolerances.push_back(ComputeDepthTolerance(this->TraitsBySurface[i].Bounds));
+  }
+  const float largest =
+    tolerances.empty() ? 0.f : *std::max_element(tolerances.begin(), tolerances.end());
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+  {
+    const Traits& a = this->TraitsBySurface[sorted[i]];
+    float& toleranceOfA = this->DepthTolerances[sorted[i]];
+    if (a.MayCoincideWithItself)
+    {
+      this->Empty = false;
+      this->LastInFront[sorted[i]] = 1;
+      toleranceOfA = std::max(toleranceOfA, tolerances[i]);
+    }
+    const float end = a.Bounds.High.x + largest;
+    for (std::size_t j = i + 1;
+         j < sorted.size() && this->TraitsBySurface[sorted[j]].Bounds.Low.x <= end; ++j)
+    {
+      const float tolerance = std::max(tolerances[i], tolerances[j]);
+      if (AreNear(a.Bounds, this->TraitsBySurface[sorted[j]].Bounds, tolerance))
+      {
+        this->Empty = false;
+        float& toleranceOfB = this->DepthTolerances[sorted[j]];
+        toleranceOfA = std::max(toleranceOfA, tolerance);
+        toleranceOfB = std::max(toleranceOfB, tolerance);
+      }
+    }
+  }
+}
+
+void CoincidentSurfaces::FindOrder(std::vector<std::uint32_t> surfaces)
+{
+  const std::vector<Traits>& traits = this->TraitsBySurface;
+  std::sort(surfaces.begin(), surfaces.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return traits[a].SortKey != traits[b].SortKey ? traits[a].SortKey < traits[b].SortKey : a > b;
   });
-  int next = static_cast<int>(order.size());
-  for (int i = next - 1; i >= 0; --i)
+  const int count = static_cast<int>(surfaces.size());
+  int next = count;
+  for (int i = count - 1; i >= 0; --i)
   {
     // Translucent surfaces count once where they coincide, as with depth peeling.
-    const Surface& surface = scene.Surfaces[order[i]];
-    const bool isLast = i + 1 == static_cast<int>(order.size()) ||
-      MakeSortKey(surface) != MakeSortKey(scene.Surfaces[order[i + 1]]);
-    next = isLast || !surface.IsTranslucent() ? i + 1 : next;
-    this->DrawOrder[order[i]] = i;
-    this->NextInOrder[order[i]] = next;
+    const Traits& surface = traits[surfaces[i]];
+    const bool isLast = i + 1 == count || surface.SortKey != traits[surfaces[i + 1]].SortKey;
+    next = isLast || !surface.IsTranslucent ? i + 1 : next;
+    this->DrawOrder[surfaces[i]] = i;
+    this->NextInOrder[surfaces[i]] = next;
   }
 }
 

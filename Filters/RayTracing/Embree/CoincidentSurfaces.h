@@ -11,14 +11,18 @@
 #ifndef penumbra_CoincidentSurfaces_h
 #define penumbra_CoincidentSurfaces_h
 
+#include "AxisAlignedBox.h"
 #include "RayScene.h"
 
 #include <cstdint>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 namespace penumbra
 {
+
+struct Surface;
 
 /// A hit in single precision, as Embree computes it.
 struct CandidateHit
@@ -55,6 +59,9 @@ public:
   /// Finds the surfaces whose bounding boxes are within the depth tolerance of another one. `scene`
   /// must outlive this object.
   explicit CoincidentSurfaces(const Scene& scene);
+
+  /// Reads these surfaces of the scene again.
+  void Update(const std::vector<std::uint32_t>& surfaces);
 
   /// Returns the distance along a ray, in scene units, below which single precision may not
   /// separate this surface from another one; 0 if no other surface is near.
@@ -94,7 +101,25 @@ public:
 private:
   static constexpr int NoOrder = std::numeric_limits<int>::max();
 
+  /// What the order of coincident surfaces depends on.
+  struct Traits
+  {
+    AxisAlignedBox Bounds;
+    bool HasTriangles = false;
+    bool IsTranslucent = false;
+    bool MayCoincideWithItself = false;
+    std::tuple<bool, float, bool> SortKey; ///< of the one in front first
+
+    Traits() = default;
+    explicit Traits(const Surface& surface);
+  };
+
+  void FindNear(const std::vector<std::uint32_t>& sorted);
+  void FindOrder(std::vector<std::uint32_t> surfaces);
+  void Sort();
+
   const Scene& TracedScene;
+  std::vector<Traits> TraitsBySurface;
   std::vector<float> DepthTolerances; ///< per surface
   std::vector<char> LastInFront;      ///< per surface: see IsLastInFront()
   bool Empty = true;

@@ -363,24 +363,18 @@ std::uint64_t NextId()
 
 }
 
-RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& progress)
+RayScene::RayScene(
+  const Scene& scene, int threads, const ProgressCallback& progress, bool isDynamic)
   : TracedScene(scene),
     Coincident(std::make_unique<CoincidentSurfaces>(scene)),
+    Traced(scene.Surfaces.size()),
     Id(NextId())
 {
-  for (std::uint32_t i = 0; i < scene.Surfaces.size(); ++i)
+  const auto count = static_cast<std::uint32_t>(scene.Surfaces.size());
+  for (std::uint32_t i = 0; i < count; ++i)
   {
-    const Surface& surface = scene.Surfaces[i];
-    const BoxOverlap overlap(surface);
-    this->Traced.push_back(
-      { &surface, this->Coincident->DepthTolerance(i), this->Coincident->IsLastInFront(i),
-        surface.IsRound() && surface.IsTranslucent(), overlap.IsLarge(), nullptr, nullptr });
-    TracedSurface& traced = this->Traced.back();
-    if (!surface.Instances)
-    {
-      traced.Slivers = SliverTree::MakeIfUseful(surface, overlap);
-      traced.Cells = traced.Slivers ? nullptr : PlanarCells::MakeIfUseful(surface, overlap);
-    }
+    this->Inspect(i, true);
+    this->SetCoincidence(i);
   }
   this->Device = rtcNewDevice(MakeDeviceConfiguration(threads).c_str());
   CheckDevice(this->Device);
@@ -389,27 +383,18 @@ RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& prog
   try
   {
     this->EmbreeScene = rtcNewScene(this->Device);
-    rtcSetSceneFlags(this->EmbreeScene,
-      CountPrimitives(scene) < MinimumCompactTriangles
-        ? RTC_SCENE_FLAG_ROBUST
-        : static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT));
-    for (std::size_t i = 0; i < scene.Surfaces.size(); ++i)
+    int flags = RTC_SCENE_FLAG_ROBUST;
+    flags |= CountPrimitives(scene) < MinimumCompactTriangles ? 0 : RTC_SCENE_FLAG_COMPACT;
+    if (isDynamic)
     {
-      if (scene.Surfaces[i].GetNumberOfPrimitives() > 0)
-      {
-        if (scene.Surfaces[i].Instances)
-        {
-          this->BuildShape(this->Traced[i], progress);
-        }
-        RTCGeometry geometry = scene.Surfaces[i].IsRound()
-          ? MakeRoundGeometry(this->Device, this->Traced[i])
-          : this->Traced[i].Shape ? MakeInstanceGeometry(this->Device, this->Traced[i])
-          : this->Traced[i].Slivers || this->Traced[i].Cells
-          ? MakeSliverGeometry(this->Device, this->Traced[i])
-          : MakeTriangleGeometry(this->Device, this->Traced[i]);
-        rtcAttachGeometryByID(this->EmbreeScene, geometry, static_cast<unsigned int>(i));
-        rtcReleaseGeometry(geometry);
-      }
+      // A BVH of the BVHs of the geometries, which have a quality of their own.
+      flags |= RTC_SCENE_FLAG_DYNAMIC;
+      rtcSetSceneBuildQuality(this->EmbreeScene, RTC_BUILD_QUALITY_LOW);
+    }
+    rtcSetSceneFlags(this->EmbreeScene, static_cast<RTCSceneFlags>(flags));
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      this->Attach(i, progress);
     }
     Commit(this->EmbreeScene, this->Device, progress);
   }
@@ -417,6 +402,96 @@ RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& prog
   {
     this->Release();
     throw;
+  }
+}
+
+void RayScene::Inspect(std::uint32_t surface, bool isMoved)
+{
+  TracedSurface& traced = this->Traced[surface];
+  traced.Data = &this->TracedScene.Surfaces[surface];
+  traced.IsTranslucent = traced.Data->IsRound() && traced.Data->IsTranslucent();
+  if (isMoved)
+  {
+    const BoxOverlap overlap(*traced.Data);
+    const bool hasInstances = traced.Data->Instances != nullptr;
+    traced.MayHaveCopies = overlap.IsLarge();
+    traced.Slivers = hasInstances ? nullptr : SliverTree::MakeIfUseful(*traced.Data, overlap);
+    traced.Cells =
+      hasInstances || traced.Slivers ? nullptr : PlanarCells::MakeIfUseful(*traced.Data, overlap);
+  }
+}
+
+bool RayScene::SetCoincidence(std::uint32_t surface)
+{
+  TracedSurface& traced = this->Traced[surface];
+  const float tolerance = this->Coincident->DepthTolerance(surface);
+  const bool isLastInFront = this->Coincident->IsLastInFront(surface);
+  // The geometry has a filter if there is a tolerance.
+  const bool changes =
+    (tolerance > 0.f) != (traced.DepthTolerance > 0.f) || isLastInFront != traced.IsLastInFront;
+  traced.DepthTolerance = tolerance;
+  traced.IsLastInFront = isLastInFront;
+  return changes;
+}
+
+void RayScene::Attach(std::uint32_t surface, const ProgressCallback& progress)
+{
+  TracedSurface& traced = this->Traced[surface];
+  if (traced.IsAttached)
+  {
+    rtcDetachGeometry(this->EmbreeScene, surface);
+    traced.IsAttached = false;
+  }
+  if (traced.Shape)
+  {
+    rtcReleaseScene(traced.Shape);
+    traced.Shape = nullptr;
+  }
+  if (traced.Data->GetNumberOfPrimitives() == 0)
+  {
+    return;
+  }
+  if (traced.Data->Instances)
+  {
+    this->BuildShape(traced, progress);
+  }
+  RTCGeometry geometry = traced.Data->IsRound() ? MakeRoundGeometry(this->Device, traced)
+    : traced.Shape                              ? MakeInstanceGeometry(this->Device, traced)
+    : traced.Slivers || traced.Cells            ? MakeSliverGeometry(this->Device, traced)
+                                                : MakeTriangleGeometry(this->Device, traced);
+  rtcAttachGeometryByID(this->EmbreeScene, geometry, surface);
+  rtcReleaseGeometry(geometry);
+  traced.IsAttached = true;
+}
+
+void RayScene::Update(const std::vector<SurfaceChange>& changes, const ProgressCallback& progress)
+{
+  this->Id = NextId();
+  if (changes.empty())
+  {
+    return;
+  }
+  std::vector<std::uint32_t> changed;
+  std::vector<char> isMoved(this->Traced.size(), 0);
+  for (const SurfaceChange& change : changes)
+  {
+    changed.push_back(change.Surface);
+    isMoved[change.Surface] = change.IsMoved;
+    this->Inspect(change.Surface, change.IsMoved);
+  }
+  this->Coincident->Update(changed);
+  bool isCommitted = true;
+  for (std::uint32_t i = 0; i < this->Traced.size(); ++i)
+  {
+    if (this->SetCoincidence(i) || isMoved[i])
+    {
+      this->Attach(i, progress);
+      isCommitted = false;
+    }
+  }
+  if (!isCommitted)
+  {
+    Commit(this->EmbreeScene, this->Device, progress);
   }
 }
 
@@ -428,11 +503,6 @@ void RayScene::BuildShape(TracedSurface& traced, const ProgressCallback& progres
   rtcAttachGeometryByID(traced.Shape, geometry, 0);
   rtcReleaseGeometry(geometry);
   Commit(traced.Shape, this->Device, progress);
-}
-
-void RayScene::RenewId()
-{
-  this->Id = NextId();
 }
 
 RayScene::~RayScene()

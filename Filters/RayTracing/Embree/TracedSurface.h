@@ -22,11 +22,12 @@ class SliverTree;
 /// Data of a surface that the callbacks of Embree use.
 struct TracedSurface
 {
-  const Surface* Data;
-  float DepthTolerance;
-  bool IsLastInFront;                        ///< see CoincidentSurfaces
-  bool IsTranslucent;                        ///< of spheres and tubes only
-  bool MayHaveCopies;                        ///< the boxes of many triangles overlap
+  const Surface* Data = nullptr;
+  bool IsAttached = false; ///< it has a geometry in the scene of Embree
+  float DepthTolerance = 0.f;
+  bool IsLastInFront = false;                ///< see CoincidentSurfaces
+  bool IsTranslucent = false;                ///< of spheres and tubes only
+  bool MayHaveCopies = false;                ///< the boxes of many triangles overlap
   std::shared_ptr<const SliverTree> Slivers; ///< replaces Embree's BVH of the triangles if not null
   std::shared_ptr<const PlanarCells>
     Cells;                     ///< Embree's primitives instead of triangles if not null

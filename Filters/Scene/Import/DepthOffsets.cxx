@@ -30,12 +30,12 @@ constexpr double MinimumNearRatio = 0.01;
 /// Units per z-shift in VTK's shaders.
 constexpr double UnitsPerShift = 4.0;
 
+}
+
 bool HasPolygons(const DrawItem& item)
 {
   return item.Property->GetRepresentation() == VTK_SURFACE &&
     item.Data->GetPolys()->GetNumberOfCells() + item.Data->GetStrips()->GetNumberOfCells() > 0;
-}
-
 }
 
 void ReadDepthOffsets(vtkActor* actor, DrawItem& item)
@@ -58,7 +58,7 @@ void ReadDepthOffsets(vtkActor* actor, DrawItem& item)
   }
 }
 
-void MakeDepthOffsetsRelative(std::vector<DrawItem>& items)
+DepthOffset FindFarthestOffset(const std::vector<DrawItem>& items)
 {
   DepthOffset farthest;
   bool isFirst = true;
@@ -70,6 +70,11 @@ void MakeDepthOffsetsRelative(std::vector<DrawItem>& items)
       isFirst = false;
     }
   }
+  return farthest;
+}
+
+void MakeDepthOffsetsRelative(DepthOffset farthest, std::vector<DrawItem>& items)
+{
   for (DrawItem& item : items)
   {
     for (DepthOffset* offset : { &item.PolygonOffset, &item.LineOffset, &item.PointOffset })

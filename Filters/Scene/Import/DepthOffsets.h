@@ -19,9 +19,15 @@ namespace penumbra
 /// Sets the offsets of `item` to those with which VTK draws the mapper of `actor`.
 void ReadDepthOffsets(vtkActor* actor, DrawItem& item);
 
-/// Makes all offsets relative to the farthest offset of polygons. Surfaces whose polygons have the
-/// same offset keep their place.
-void MakeDepthOffsetsRelative(std::vector<DrawItem>& items);
+/// Returns true if `item` has polygons that are drawn as surfaces.
+bool HasPolygons(const DrawItem& item);
+
+/// Returns the farthest offset of polygons.
+DepthOffset FindFarthestOffset(const std::vector<DrawItem>& items);
+
+/// Makes all offsets relative to the farthest one. Surfaces whose polygons have the same offset keep their
+/// place.
+void MakeDepthOffsetsRelative(DepthOffset farthest, std::vector<DrawItem>& items);
 
 /// Returns the value of Camera::DepthUnit for a scene within `bounds`.
 double ComputeDepthUnit(vtkRenderer* renderer, const double bounds[6], const Scene& scene);

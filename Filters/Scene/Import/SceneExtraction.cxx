@@ -5,6 +5,7 @@
 #include "Annotation/SceneExtractionOverlay.h"
 #include "DepthOffsets.h"
 #include "Features/SceneFeatures.h"
+#include "Features/UnsupportedFeatures.h"
 #include "Scene.h"
 #include "SceneExtractionActors.h"
 #include "SceneExtractionAxes.h"
@@ -13,6 +14,7 @@
 #include "SceneExtractionSky.h"
 #include "SceneExtractionSplats.h"
 #include "SceneExtractionView.h"
+#include "SceneModificationTime.h"
 #include "Surface.h"
 #include "Tessellation/MemoryEstimate.h"
 #include "Tessellation/SurfaceSlopes.h"
@@ -32,7 +34,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace penumbra
@@ -104,34 +110,35 @@ double FindPixelWidth(vtkCamera* camera, const double bounds[6], const Extractio
   return height / options.Resolution[1];
 }
 
-/// Moves the sides of `bounds` outward by the largest radius of a sphere or tube. `pointWidth` is the
-/// width of 1/72 inch of the image, in world units.
-void AddRadii(const std::vector<DrawItem>& items, double pointWidth, double bounds[6])
+/// Returns the largest radius of the spheres and tubes of `item`, in world units. `pointWidth` is the
+/// width of 1/72 inch of the image.
+double FindLargestRadius(const DrawItem& item, double pointWidth)
 {
-  double largest = 0.0;
-  for (const DrawItem& item : items)
+  if (item.Radii)
   {
-    double radius = std::max(item.PointRadius, item.LineRadius);
-    if (item.Property->GetRenderPointsAsSpheres())
-    {
-      radius = std::max(radius, 0.5 * item.Property->GetPointSize() * pointWidth);
-    }
-    if (item.Property->GetRenderLinesAsTubes())
-    {
-      radius = std::max(radius, 0.5 * item.Property->GetLineWidth() * pointWidth);
-    }
-    if (item.Radii)
-    {
-      double range[2];
-      item.Radii->GetFiniteRange(range);
-      radius = range[1] > 0.0 ? range[1] : 0.0;
-    }
-    largest = std::max(largest, radius);
+    double range[2];
+    item.Radii->GetFiniteRange(range);
+    return std::max(range[1], 0.0);
   }
+  double radius = std::max(item.PointRadius, item.LineRadius);
+  if (item.Property->GetRenderPointsAsSpheres())
+  {
+    radius = std::max(radius, 0.5 * item.Property->GetPointSize() * pointWidth);
+  }
+  if (item.Property->GetRenderLinesAsTubes())
+  {
+    radius = std::max(radius, 0.5 * item.Property->GetLineWidth() * pointWidth);
+  }
+  return radius;
+}
+
+/// Moves the sides of `bounds` outward.
+void Inflate(double radius, double bounds[6])
+{
   for (int axis = 0; axis < 3; ++axis)
   {
-    bounds[2 * axis] -= largest;
-    bounds[2 * axis + 1] += largest;
+    bounds[2 * axis] -= radius;
+    bounds[2 * axis + 1] += radius;
   }
 }
 
@@ -204,18 +211,216 @@ void AddDrawItems(
   }
 }
 
+/// Returns true if the surfaces of `item` depend on those of others, through its offset.
+bool DependsOnOthers(const DrawItem& item)
+{
+  const bool hasLinesOrPoints =
+    item.Data->GetLines()->GetNumberOfCells() + item.Data->GetVerts()->GetNumberOfCells() > 0;
+  return hasLinesOrPoints && !(item.LineOffset.IsZero() && item.PointOffset.IsZero());
 }
 
-Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
+/// Returns true if the surfaces of the items are the same for other views and other props.
+bool AreIndependent(const std::vector<DrawItem>& items)
 {
-  Scene scene;
-  std::vector<DrawItem> items = CollectDrawItems(renderer, scene.Warnings, options.Progress);
-  SetRadii(options, items);
-  MakeDepthOffsetsRelative(items);
+  return std::none_of(items.begin(), items.end(),
+    [](const DrawItem& item) { return DependsOnCamera(item) || DependsOnOthers(item); });
+}
+
+std::vector<vtkProp*> GetProps(vtkRenderer* renderer)
+{
+  std::vector<vtkProp*> result;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
+  {
+    result.push_back(prop);
+  }
+  return result;
+}
+
+/// A prop that was read, now or before.
+struct ReadProp
+{
+  bool IsNew = true;
+  int FirstObject = 0; ///< id of its first object now
+  PropRecord Record;
+  std::vector<DrawItem> Items; ///< if it is new
+};
+
+/// Returns the bounds that `prop` contributes to those of the renderer.
+vtkBoundingBox FindVisibleBounds(vtkProp* prop)
+{
+  vtkBoundingBox box;
+  const double* bounds =
+    prop->GetVisibility() && prop->GetUseBounds() ? prop->GetBounds() : nullptr;
+  if (bounds && vtkMath::AreBoundsInitialized(bounds))
+  {
+    box.SetBounds(bounds);
+  }
+  return box;
+}
+
+ReadProp Read(
+  vtkRenderer* renderer, vtkProp* prop, int firstObject, const ExtractionOptions& options)
+{
+  PropItems read = CollectPropItems(renderer, prop, firstObject, options.Progress);
+  SetRadii(options, read.Items);
+  ReadProp result;
+  result.FirstObject = firstObject;
+  result.Record.Prop = prop;
+  result.Record.Bounds = FindVisibleBounds(prop);
+  result.Record.Time = GetPropMTime(prop); // reading may have updated the mappers
+  result.Record.FirstObject = firstObject;
+  result.Record.NumberOfObjects = read.NumberOfObjects;
+  result.Record.Warnings = std::move(read.Warnings);
+  result.Items = std::move(read.Items);
+  return result;
+}
+
+/// Adds the surfaces of the items of a prop to `scene`, and their warnings and places to its record.
+void AddProp(const std::vector<DrawItem>& items, const ExtractionOptions& options, Scene& scene,
+  PropRecord& record)
+{
+  const auto warnings = static_cast<std::ptrdiff_t>(scene.Warnings.size());
+  record.FirstSurface = scene.Surfaces.size();
+  AddDrawItems(items, options, scene);
+  record.NumberOfSurfaces = scene.Surfaces.size() - record.FirstSurface;
+  record.LargestRadius = 0.0;
+  for (const DrawItem& item : items)
+  {
+    record.LargestRadius = std::max(record.LargestRadius, FindLargestRadius(item, 0.0));
+  }
+  std::move(
+    scene.Warnings.begin() + warnings, scene.Warnings.end(), std::back_inserter(record.Warnings));
+  scene.Warnings.resize(static_cast<std::size_t>(warnings));
+}
+
+/// Reads the props again that have changed since `record`; the others have no items. Returns nothing if the
+/// surfaces cannot be updated in parts.
+std::optional<std::vector<ReadProp>> ReadChangedProps(
+  vtkRenderer* renderer, const ExtractionOptions& options, const SceneRecord& record)
+{
+  const std::vector<vtkProp*> props = GetProps(renderer);
+  if (props.size() != record.Props.size())
+  {
+    return {};
+  }
+  std::vector<ReadProp> result;
+  int nextObject = 0;
+  for (std::size_t i = 0; i < props.size(); ++i)
+  {
+    const PropRecord& before = record.Props[i];
+    const bool isRenamed = nextObject != before.FirstObject && !before.Warnings.empty();
+    if (props[i] == before.Prop && GetPropMTime(props[i]) == before.Time && !isRenamed)
+    {
+      result.push_back({ false, nextObject, before, {} });
+    }
+    else
+    {
+      result.push_back(Read(renderer, props[i], nextObject, options));
+      std::vector<DrawItem>& items = result.back().Items;
+      MakeDepthOffsetsRelative(record.FarthestOffset, items);
+      const bool keepsFarthest =
+        record.FarthestOffset.IsZero() || std::any_of(items.begin(), items.end(), HasPolygons);
+      if (!AreIndependent(items) || !keepsFarthest)
+      {
+        return {};
+      }
+      RequireMemoryForItems(items);
+    }
+    nextObject += result.back().Record.NumberOfObjects;
+  }
+  return result;
+}
+
+/// Returns true if rays hit the same triangles, spheres or tubes of both surfaces, at the same points.
+bool HaveSameHits(const Surface& a, const Surface& b)
+{
+  const auto areEqual = [](const auto& x, const auto& y) {
+    return x.size() == y.size() &&
+      (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])) == 0);
+  };
+  return !a.Instances && !b.Instances && areEqual(a.Positions, b.Positions) &&
+    areEqual(a.Triangles, b.Triangles) && areEqual(a.Radii, b.Radii) &&
+    areEqual(a.Segments, b.Segments) && a.HasFlatEnds == b.HasFlatEnds &&
+    a.Frontfaces == b.Frontfaces && a.Backfaces == b.Backfaces &&
+    a.IsLineOrPoint == b.IsLineOrPoint;
+}
+
+/// Replaces a surface. If rays hit the same, its arrays stay where they are, because the ray tracer shares
+/// them. Returns true if rays do not.
+bool Replace(Surface& surface, Surface next)
+{
+  const bool isMoved = !HaveSameHits(surface, next);
+  if (!isMoved)
+  {
+    std::swap(surface.Positions, next.Positions);
+    std::swap(surface.Triangles, next.Triangles);
+    std::swap(surface.Radii, next.Radii);
+    std::swap(surface.Segments, next.Segments);
+  }
+  surface = std::move(next);
+  return isMoved;
+}
+
+/// Moves the surfaces of a prop from `next` to their former places in `scene`, if it was read again.
+/// Former surfaces without a successor become empty. `record` is that of the prop in `scene`.
+void ReplaceSurfaces(ReadProp& prop, Scene& next, PropRecord& record, Scene& scene,
+  std::vector<SurfaceChange>& changes)
+{
+  for (std::size_t i = 0; i < record.NumberOfSurfaces; ++i)
+  {
+    const std::size_t place = record.FirstSurface + i;
+    Surface& surface = scene.Surfaces[place];
+    if (!prop.IsNew)
+    {
+      surface.ObjectId += prop.FirstObject - record.FirstObject;
+      continue;
+    }
+    const bool remains = i < prop.Record.NumberOfSurfaces;
+    const bool isMoved = Replace(
+      surface, remains ? std::move(next.Surfaces[prop.Record.FirstSurface + i]) : Surface());
+    changes.push_back({ static_cast<std::uint32_t>(place), isMoved });
+  }
+  prop.Record.FirstObject = prop.FirstObject;
+  prop.Record.FirstSurface = record.FirstSurface;
+  prop.Record.NumberOfSurfaces = record.NumberOfSurfaces;
+  record = std::move(prop.Record);
+}
+
+/// Adds the warnings about the renderer and its props.
+void AddWarnings(vtkRenderer* renderer, const SceneRecord& record, Scene& scene)
+{
+  WarnUnsupportedRenderer(renderer, scene.Warnings);
+  for (const PropRecord& prop : record.Props)
+  {
+    scene.Warnings.insert(scene.Warnings.end(), prop.Warnings.begin(), prop.Warnings.end());
+  }
+}
+
+}
+
+Scene ExtractScene(
+  vtkRenderer* renderer, const ExtractionOptions& options, SceneRecord* recordOrNull)
+{
+  SceneRecord record;
+  std::vector<DrawItem> items;
+  std::vector<std::size_t> ends; ///< of the items of each prop
+  int nextObject = 0;
+  for (vtkProp* prop : GetProps(renderer))
+  {
+    ReadProp read = Read(renderer, prop, nextObject, options);
+    std::move(read.Items.begin(), read.Items.end(), std::back_inserter(items));
+    ends.push_back(items.size());
+    nextObject += read.Record.NumberOfObjects;
+    record.Props.push_back(std::move(read.Record));
+  }
+  record.FarthestOffset = FindFarthestOffset(items);
+  MakeDepthOffsetsRelative(record.FarthestOffset, items);
   RequireMemoryForItems(items);
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
-  std::copy_n(bounds, 6, scene.VisibleBounds.begin());
   if (!std::all_of(bounds, bounds + 6, [](double x) { return std::isfinite(x); }))
   {
     ComputeBounds(items, bounds);
@@ -224,8 +429,14 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
   {
     // Rays must start in front of spheres and tubes.
     const double width = FindPixelWidth(renderer->GetActiveCamera(), bounds, options);
-    AddRadii(items, width * options.DPI / 72.0, bounds);
+    double largest = 0.0;
+    for (const DrawItem& item : items)
+    {
+      largest = std::max(largest, FindLargestRadius(item, width * options.DPI / 72.0));
+    }
+    Inflate(largest, bounds);
   }
+  Scene scene;
   const glm::dmat4 distortion = FindViewDistortion(renderer);
   ApplyViewDistortion(distortion, items, bounds, scene.Warnings);
   std::vector<glm::dvec4> range;
@@ -238,13 +449,21 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
     !HasPropsOfView(renderer) && std::none_of(items.begin(), items.end(), DependsOnCamera);
   ExtractView(renderer, bounds, viewOptions, distortion, scene);
   scene.ViewCamera.DepthUnit = ComputeDepthUnit(renderer, bounds, scene);
-  std::copy_n(bounds, 6, scene.OriginBounds.begin());
   for (DrawItem& item : items)
   {
     item.ClippingPlanes.insert(item.ClippingPlanes.end(), range.begin(), range.end());
   }
   FindSlopes(scene, items);
-  AddDrawItems(items, options, scene);
+  const bool isIndependent = scene.HasFixedOrigin && AreIndependent(items);
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < ends.size(); ++i)
+  {
+    // The items of a prop are released when they are surfaces.
+    const std::vector<DrawItem> part(std::make_move_iterator(items.begin() + begin),
+      std::make_move_iterator(items.begin() + ends[i]));
+    AddProp(part, options, scene, record.Props[i]);
+    begin = ends[i];
+  }
   if (!range.empty() && !items.empty() && scene.Surfaces.empty())
   {
     scene.Warnings.emplace_back("The clipping range of the camera excludes the whole scene. Call "
@@ -263,24 +482,45 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
       "The transform of the camera does not distort billboards, cube axes, "
       "shadows and ambient occlusion. Use a rigid transform.");
   }
+  AddWarnings(renderer, record, scene);
   ExtractOverlay(renderer, options.DPI, options.FindDepths, scene);
   scene.Warnings = MergeWarnings(scene.Warnings);
+  if (recordOrNull)
+  {
+    *recordOrNull = isIndependent ? std::move(record) : SceneRecord();
+  }
   return scene;
 }
 
-bool UpdateView(vtkRenderer* renderer, const ExtractionOptions& options, Scene& scene)
+bool UpdateScene(vtkRenderer* renderer, const ExtractionOptions& options, SceneRecord& record,
+  Scene& scene, const std::function<void(const std::vector<SurfaceChange>&)>& update)
 {
-  if (!scene.HasFixedOrigin || !options.KeepOrigin || !renderer->IsActiveCameraCreated())
+  if (record.Props.empty() || !options.KeepOrigin || !renderer->IsActiveCameraCreated() ||
+    HasPropsOfView(renderer))
   {
     return false;
   }
-  double visible[6];
-  renderer->ComputeVisiblePropBounds(visible);
-  const double* bounds = scene.OriginBounds.data();
   const glm::dmat4 distortion = FindViewDistortion(renderer);
-  if (!std::equal(visible, visible + 6, scene.VisibleBounds.begin()) ||
-    distortion != glm::dmat4(1.0) ||
-    (options.ClipToRange && !FindClippingRange(renderer, bounds, distortion).empty()))
+  std::optional<std::vector<ReadProp>> props = ReadChangedProps(renderer, options, record);
+  if (!props || distortion != glm::dmat4(1.0))
+  {
+    return false;
+  }
+  vtkBoundingBox box;
+  double radius = 0.0;
+  for (const ReadProp& prop : *props)
+  {
+    box.AddBox(prop.Record.Bounds);
+    radius = std::max(radius, prop.Record.LargestRadius);
+  }
+  double bounds[6];
+  box.GetBounds(bounds);
+  if (!box.IsValid() || !std::all_of(bounds, bounds + 6, [](double x) { return std::isfinite(x); }))
+  {
+    return false;
+  }
+  Inflate(radius, bounds);
+  if (options.ClipToRange && !FindClippingRange(renderer, bounds, distortion).empty())
   {
     return false;
   }
@@ -291,12 +531,32 @@ bool UpdateView(vtkRenderer* renderer, const ExtractionOptions& options, Scene& 
   {
     return false;
   }
+  next.ViewCamera.DepthUnit = ComputeDepthUnit(renderer, bounds, next);
+  for (std::size_t i = 0; i < props->size(); ++i)
+  {
+    ReadProp& prop = (*props)[i];
+    if (prop.IsNew)
+    {
+      AddProp(prop.Items, options, next, prop.Record);
+      if (prop.Record.NumberOfSurfaces > record.Props[i].NumberOfSurfaces)
+      {
+        return false;
+      }
+    }
+  }
+  std::vector<SurfaceChange> changes;
+  for (std::size_t i = 0; i < props->size(); ++i)
+  {
+    ReplaceSurfaces((*props)[i], next, record.Props[i], scene, changes);
+  }
   scene.ViewCamera = next.ViewCamera;
   scene.Lights = std::move(next.Lights);
   scene.BackgroundColors = std::move(next.BackgroundColors);
   scene.EnvironmentReflections = std::move(next.EnvironmentReflections);
   scene.OverlayImage = std::move(next.OverlayImage);
   scene.Warnings = std::move(next.Warnings);
+  update(changes);
+  AddWarnings(renderer, record, scene);
   ExtractOverlay(renderer, options.DPI, options.FindDepths, scene);
   scene.Warnings = MergeWarnings(scene.Warnings);
   return true;

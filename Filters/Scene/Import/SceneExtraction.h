@@ -8,19 +8,28 @@
 
 #include "Annotation/VisiblePoints.h"
 #include "Execution/ParallelFor.h"
+#include "Tessellation/DepthOffset.h"
 #include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
 
+#include "vtkBoundingBox.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 class vtkDataObject;
 class vtkLight;
+class vtkProp;
 class vtkRenderer;
 
 namespace penumbra
 {
 
 struct Scene;
+struct SurfaceChange;
 
 /// Size of a light, which vtkLight lacks.
 struct LightSize
@@ -44,17 +53,43 @@ struct ExtractionOptions
   ProgressCallback Progress; ///< on a stop request, ExtractScene() throws Stopped
 };
 
-/// Extracts the scene of `renderer` for an image of options.Resolution. The renderer does not need
-/// a window.
-VTKPENUMBRAFILTERSSCENE_EXPORT Scene ExtractScene(
-  vtkRenderer* renderer, const ExtractionOptions& options);
+/// What a prop of a renderer has added to a scene.
+struct PropRecord
+{
+  vtkProp* Prop = nullptr;
+  vtkMTimeType Time = 0; ///< of all objects that were read
+  vtkBoundingBox Bounds; ///< visible ones, in world coordinates
+  int FirstObject = 0;   ///< id of its first object
+  int NumberOfObjects = 0;
+  double LargestRadius = 0.0; ///< of its spheres and tubes, in world units
+  std::vector<std::string> Warnings;
+  std::size_t FirstSurface = 0; ///< index into Scene::Surfaces
+  std::size_t NumberOfSurfaces = 0;
+};
 
-/// Replaces camera, lights, background and overlay of `scene`, which was extracted from `renderer`
-/// with the same options. Its warnings become those of these parts. Returns false, with `scene`
-/// unchanged, unless its origin is fixed and also the one that ExtractScene() would choose now.
-/// The scene then equals a newly extracted one if GetGeometryMTime() has not changed.
-VTKPENUMBRAFILTERSSCENE_EXPORT bool UpdateView(
-  vtkRenderer* renderer, const ExtractionOptions& options, Scene& scene);
+/// What ExtractScene() has read of a renderer. Without props if the surfaces depend on the view or on
+/// each other, so that they cannot be updated in parts.
+struct SceneRecord
+{
+  std::vector<PropRecord> Props; ///< in the order of their surfaces
+  DepthOffset FarthestOffset;    ///< of all polygons
+};
+
+/// Extracts the scene of `renderer` for an image of options.Resolution. The renderer does not need
+/// a window. Stores the props in `record` if it is not null and the scene has a fixed origin.
+VTKPENUMBRAFILTERSSCENE_EXPORT Scene ExtractScene(
+  vtkRenderer* renderer, const ExtractionOptions& options, SceneRecord* record = nullptr);
+
+/// Extracts the camera, the lights, the background, the overlay and those props again that have changed
+/// since ExtractScene() or this function filled `scene` and `record`, with the same options. Calls
+/// `update` with the changed surfaces after they are replaced and before labels are extracted, which
+/// may need depths. Returns false, with `scene` unchanged, unless this is possible: props were added
+/// or removed, a prop has more surfaces than before, the origin of the scene moves, or surfaces now depend on
+/// the view. `scene` otherwise equals a newly extracted one, except that surfaces of
+/// hidden props become empty.
+VTKPENUMBRAFILTERSSCENE_EXPORT bool UpdateScene(vtkRenderer* renderer,
+  const ExtractionOptions& options, SceneRecord& record, Scene& scene,
+  const std::function<void(const std::vector<SurfaceChange>&)>& update);
 
 /// Extracts a scene of data sets with white surfaces, one headlight and the camera reset to their
 /// bounds.

@@ -337,21 +337,18 @@ bool DrawsByShadersAlone(vtkMapper* mapper)
     mapper, { "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper", "vtkPointGaussianMapper" });
 }
 
-std::vector<DrawItem> CollectDrawItems(
-  vtkRenderer* renderer, std::vector<std::string>& warnings, const ProgressCallback& progress)
+PropItems CollectPropItems(
+  vtkRenderer* renderer, vtkProp* prop, int firstObject, const ProgressCallback& progress)
 {
-  WarnUnsupportedRenderer(renderer, warnings);
-  DrawItemCollector collector(warnings, progress);
+  ThrowIfStopped(progress, 0.0);
+  PropItems result;
+  DrawItemCollector collector(result.Warnings, progress);
   collector.RemoveHiddenLines = renderer->GetUseHiddenLineRemoval();
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator position;
-  props->InitTraversal(position);
-  while (vtkProp* prop = props->GetNextProp(position))
-  {
-    ThrowIfStopped(progress, 0.0);
-    collector.AddProp(prop);
-  }
-  return collector.ReleaseItems();
+  collector.NextObject = firstObject;
+  collector.AddProp(prop);
+  result.Items = collector.ReleaseItems();
+  result.NumberOfObjects = collector.NextObject - firstObject;
+  return result;
 }
 
 std::vector<DrawItem> CollectDrawItems(const std::vector<vtkDataObject*>& data,

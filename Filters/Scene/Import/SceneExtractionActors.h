@@ -14,6 +14,7 @@
 
 class vtkDataObject;
 class vtkMapper;
+class vtkProp;
 class vtkRenderer;
 
 namespace penumbra
@@ -22,9 +23,17 @@ namespace penumbra
 /// Returns true if `mapper` generates its shapes in shaders, so that they cannot be ray traced.
 VTKPENUMBRAFILTERSSCENE_EXPORT bool DrawsByShadersAlone(vtkMapper* mapper);
 
-/// Returns the draw items of `renderer`. Unsupported props are added to `warnings`.
-std::vector<DrawItem> CollectDrawItems(
-  vtkRenderer* renderer, std::vector<std::string>& warnings, const ProgressCallback& progress);
+/// What a prop of a renderer draws.
+struct PropItems
+{
+  int NumberOfObjects = 0; ///< they have consecutive ids
+  std::vector<DrawItem> Items;
+  std::vector<std::string> Warnings; ///< of its parts that are not supported
+};
+
+/// Returns the draw items of a prop of `renderer`, whose first object has the id `firstObject`.
+PropItems CollectPropItems(
+  vtkRenderer* renderer, vtkProp* prop, int firstObject, const ProgressCallback& progress);
 
 /// Returns draw items for data sets and the leaves of composite data sets, with VTK's default
 /// property.

@@ -136,6 +136,12 @@ public:
         this->AddProp(best);
       }
     }
+    if (auto* actor = vtkActor::SafeDownCast(prop)) // without parts, its only path is itself
+    {
+      this->AddTransform(actor);
+      this->AddActor(actor);
+      return;
+    }
     prop->InitPathTraversal();
     while (vtkAssemblyPath* path = prop->GetNextPath())
     {
@@ -448,6 +454,13 @@ vtkMTimeType GetGeometryMTime(vtkRenderer* renderer)
       collector.AddProp(prop);
     }
   }
+  return collector.Time;
+}
+
+vtkMTimeType GetPropMTime(vtkProp* prop)
+{
+  MTimeCollector collector;
+  collector.AddProp(prop);
   return collector.Time;
 }
 

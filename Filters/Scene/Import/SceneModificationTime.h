@@ -9,6 +9,7 @@
 #include "vtkPenumbraFiltersSceneModule.h" // for export macro
 #include "vtkType.h"
 
+class vtkProp;
 class vtkRenderer;
 
 namespace penumbra
@@ -19,6 +20,9 @@ VTKPENUMBRAFILTERSSCENE_EXPORT vtkMTimeType GetSceneMTime(vtkRenderer* renderer)
 
 /// Same as GetSceneMTime(), but without the camera, the lights and the overlays.
 VTKPENUMBRAFILTERSSCENE_EXPORT vtkMTimeType GetGeometryMTime(vtkRenderer* renderer);
+
+/// Same as GetSceneMTime(), but of one prop and its parts.
+vtkMTimeType GetPropMTime(vtkProp* prop);
 
 }
 #endif
