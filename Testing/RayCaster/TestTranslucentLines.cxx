@@ -12,18 +12,24 @@
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkCamera.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
+#include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 using namespace penumbra;
 
@@ -154,6 +160,16 @@ std::vector<LineScene> MakeScenes()
   return scenes;
 }
 
+void BuildScene(const LineScene& scene, vtkRenderer* renderer)
+{
+  renderer->SetBackground(0.1, 0.2, 0.2);
+  renderer->SetBackground2(0.4, 0.3, 0.1);
+  renderer->GradientBackgroundOn();
+  scene.Build(renderer);
+  LookAlong(renderer, { 0.3, 0.5, -1.0 }, { 0.0, 1.0, 0.0 }, Side, Side);
+  renderer->GetActiveCamera()->Zoom(1.3);
+}
+
 }
 
 class TranslucentLines : public ::testing::TestWithParam<LineScene>
@@ -163,10 +179,7 @@ class TranslucentLines : public ::testing::TestWithParam<LineScene>
 TEST_P(TranslucentLines, AreWithinTheTolerance)
 {
   vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(0.1, 0.2, 0.2);
-  GetParam().Build(renderer);
-  LookAlong(renderer, { 0.3, 0.5, -1.0 }, { 0.0, 1.0, 0.0 }, Side, Side);
-  renderer->GetActiveCamera()->Zoom(1.3);
+  BuildScene(GetParam(), renderer);
   double tolerance = 0.0;
   const Answer answer = Cast(renderer, Side, Side,
     [&](vtkPenumbraRayCaster* caster) { tolerance = caster->GetTolerance(); });
@@ -192,6 +205,31 @@ TEST_P(TranslucentLines, AreWithinTheTolerance)
   EXPECT_LE(worst, 1.5 * tolerance);
   EXPECT_LE(std::abs(bias), 2e-4);
   EXPECT_LE(answer.RaysPerPixel, GetParam().Budget);
+}
+
+TEST_P(TranslucentLines, AreIndependentOfThreadsAndUpdateExtent)
+{
+  vtkNew<vtkRenderer> renderer;
+  BuildScene(GetParam(), renderer);
+  vtkNew<vtkPenumbraRayCaster> caster;
+  caster->SetRenderer(renderer);
+  caster->SetResolution(Side, Side);
+  caster->SetNumberOfThreads(1);
+  caster->Update();
+  const auto getColors = [&] {
+    return vtkFloatArray::SafeDownCast(caster->GetOutput()->GetPointData()->GetArray("Color"));
+  };
+  const std::vector<float> whole(
+    getColors()->GetPointer(0), getColors()->GetPointer(0) + getColors()->GetNumberOfValues());
+  caster->SetNumberOfThreads(3);
+  int extent[6] = { 16, 47, 0, 31, 0, 0 };
+  caster->UpdateExtent(extent);
+  const std::size_t width = extent[1] - extent[0] + 1;
+  for (int y = extent[2]; y <= extent[3]; ++y)
+  {
+    const float* const row = getColors()->GetPointer(0) + 4 * width * (y - extent[2]);
+    EXPECT_TRUE(std::equal(row, row + 4 * width, whole.data() + 4 * (Side * y + extent[0]))) << y;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(RayCaster, TranslucentLines, ::testing::ValuesIn(MakeScenes()),
