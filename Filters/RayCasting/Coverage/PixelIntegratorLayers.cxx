@@ -156,18 +156,18 @@ void PixelIntegrator::ShadePartOfLayer(
     pixel.Textures.push_back(FindTexture(
       *color.Of, color.Id.Primitive, this->Tracer.GetCamera(), glm::dvec2(pixel.X, pixel.Y)));
   }
-  const std::vector<glm::vec2> polygon = this->Rasterizer->ClipLayer(layer);
+  const LayerPolygon polygon = this->Rasterizer->ClipLayer(layer);
   glm::vec2 center(0.f);
   float area = 0.f;
-  for (std::size_t i = 2; i < polygon.size(); ++i)
+  for (int i = 2; i < polygon.Count; ++i)
   {
-    const glm::vec2 u = polygon[i - 1] - polygon[0];
-    const glm::vec2 v = polygon[i] - polygon[0];
+    const glm::vec2 u = polygon.Points[i - 1] - polygon.Points[0];
+    const glm::vec2 v = polygon.Points[i] - polygon.Points[0];
     const float part = 0.5f * (u.x * v.y - u.y * v.x);
     area += part;
-    center += part * (polygon[0] + (u + v) / 3.f);
+    center += part * (polygon.Points[0] + (u + v) / 3.f);
   }
-  center = area > 0.f ? center / area : polygon.empty() ? glm::vec2(0.5f) : polygon[0];
+  center = area > 0.f ? center / area : polygon.Count == 0 ? glm::vec2(0.5f) : polygon.Points[0];
   const bool isConstant = area < LargeArea;
   const int count = isConstant ? 1 : ShadedPointsOfLargeArea;
   glm::vec2 points[ShadedPointsOfLargeArea] = { center };
@@ -177,7 +177,7 @@ void PixelIntegrator::ShadePartOfLayer(
   {
     if (!isConstant)
     {
-      const glm::vec2 corner = polygon[i * polygon.size() / ShadedPointsOfLargeArea];
+      const glm::vec2 corner = polygon.Points[i * polygon.Count / ShadedPointsOfLargeArea];
       points[i] = center + CornerDistance * (corner - center);
     }
     const LayerColor shaded = this->Tracer.ShadeLayer(

@@ -365,7 +365,7 @@ void TileRasterizer::AlignPlanarTriangles()
 bool TileRasterizer::AddToPixel(std::uint32_t index, glm::dvec2 corner)
 {
   const TileTriangle& triangle = this->Triangles[index];
-  PixelTriangle added{};
+  PixelTriangle& added = this->Selected.emplace_back();
   added.Index = index;
   added.IsComplex = triangle.IsComplex;
   added.IsLayer = triangle.IsLayer;
@@ -377,23 +377,25 @@ bool TileRasterizer::AddToPixel(std::uint32_t index, glm::dvec2 corner)
     added.Sides[i] = MoveTo(triangle.Sides[i], corner, 0.0);
     if (FindMaximum(added.Sides[i]) < 0.f)
     {
+      this->Selected.pop_back();
       return false;
     }
     added.IsFull = added.IsFull && FindMinimum(added.Sides[i]) >= 0.f;
   }
-  const auto findCell = [](double x) {
+  const auto findCell = [](float x) {
     return static_cast<std::uint8_t>(
-      std::clamp(x * SamplePoints::CellsPerSide, 0.0, SamplePoints::CellsPerSide - 1.0));
+      std::clamp(x * SamplePoints::CellsPerSide, 0.f, SamplePoints::CellsPerSide - 1.f));
   };
-  added.FirstColumn = findCell(triangle.Low.x - corner.x - Margin);
-  added.LastColumn = findCell(triangle.High.x - corner.x + Margin);
-  added.FirstRow = findCell(triangle.Low.y - corner.y - Margin);
-  added.LastRow = findCell(triangle.High.y - corner.y + Margin);
+  const glm::vec2 low = triangle.Low - glm::vec2(corner) - static_cast<float>(Margin);
+  const glm::vec2 high = triangle.High - glm::vec2(corner) + static_cast<float>(Margin);
+  added.FirstColumn = findCell(low.x);
+  added.LastColumn = findCell(high.x);
+  added.FirstRow = findCell(low.y);
+  added.LastRow = findCell(high.y);
   this->Keys.push_back(
     isBounded ? Evaluate(triangle.Key, corner + 0.5) : std::numeric_limits<double>::infinity());
   added.KeyError =
     static_cast<float>(triangle.KeyError * (this->IsParallel ? 1.0 : std::abs(this->Keys.back())));
-  this->Selected.push_back(added);
   return true;
 }
 

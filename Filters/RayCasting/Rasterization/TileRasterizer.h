@@ -13,6 +13,7 @@
 #include "TriangleBins.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -34,6 +35,14 @@ struct LayerCandidate
 {
   float Key;           ///< relative to that of the nearest triangle of the pixel
   std::uint32_t Layer; ///< see TileRasterizer::GetLayer()
+};
+
+/// The part of a pixel that a triangle covers, in coordinates of the pixel: a convex polygon. Cutting the
+/// square by three sides leaves at most 7 points, and at most 13 whatever rounding does.
+struct LayerPolygon
+{
+  std::array<glm::vec2, 13> Points;
+  int Count = 0;
 };
 
 /// Triangles of one tile. Each thread needs its own object.
@@ -67,14 +76,13 @@ public:
   /// Returns the index of a layer for GetTriangle().
   std::uint32_t GetLayerTriangle(std::uint32_t layer) const { return this->Selected[layer].Index; }
 
-  /// Returns the part of the pixel that a triangle covers, a convex polygon.
-  std::vector<glm::vec2> ClipLayer(std::uint32_t layer) const;
+  LayerPolygon ClipLayer(std::uint32_t layer) const;
 
   /// Returns the depth of a candidate along the view axis.
   float ComputeDepth(const LayerCandidate& candidate) const
   {
-    const double key = this->ReferenceKey + static_cast<double>(candidate.Key);
-    return static_cast<float>(this->IsParallel ? -key : 1.0 / key);
+    const auto key = static_cast<float>(this->ReferenceKey + static_cast<double>(candidate.Key));
+    return this->IsParallel ? -key : 1.f / key;
   }
 
   /// Finds all triangles at points of the selected pixel down to the first opaque one, front to
@@ -152,9 +160,13 @@ private:
   std::vector<float> Nearest;
   std::vector<float> Errors;
   std::vector<std::int32_t> Found;
-  std::vector<std::uint32_t> LayerOrder;  ///< indices in Selected, about front to back
-  std::vector<float> LayerKeys;           ///< of one triangle at some points
-  std::vector<float> LayerSides;          ///< negative where it does not cover them
+  /// Indices in Selected, about front to back, with their keys at the center of the pixel.
+  std::vector<LayerCandidate> LayerOrder;
+  float LargestLayerError = 0.f;   ///< KeyError of Selected
+  bool HasOpaqueTriangles = false; ///< Selected contains triangles that hide what is behind them
+  std::vector<float> LayerErrors;  ///< KeyError of Selected
+  std::vector<float> LayerKeys;    ///< of one triangle at some points
+  std::vector<float> LayerSides;   ///< negative where it does not cover them
   std::vector<LayerCandidate> Candidates; ///< per point, each with space for all triangles
   std::vector<std::uint32_t> CandidateCounts;
 };

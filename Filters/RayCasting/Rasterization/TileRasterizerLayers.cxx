@@ -13,8 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <utility>
 
 namespace penumbra
 {
@@ -63,15 +61,22 @@ bool TileRasterizer::HasLines() const
 
 void TileRasterizer::SortLayers()
 {
-  this->LayerOrder.resize(this->Selected.size());
-  std::iota(this->LayerOrder.begin(), this->LayerOrder.end(), 0u);
-  const auto keyOf = [&](std::uint32_t i) {
-    const LinearValue<float>& key = this->Selected[i].Key;
-    return key.Value + 0.5f * (key.SlopeX + key.SlopeY);
-  };
-  std::sort(
-    this->LayerOrder.begin(), this->LayerOrder.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::make_pair(-keyOf(a), a) < std::make_pair(-keyOf(b), b);
+  this->LayerOrder.clear();
+  this->LayerErrors.clear();
+  this->LargestLayerError = 0.f;
+  this->HasOpaqueTriangles = false;
+  for (const PixelTriangle& triangle : this->Selected)
+  {
+    const LinearValue<float>& key = triangle.Key;
+    this->LayerOrder.push_back({ key.Value + 0.5f * (key.SlopeX + key.SlopeY),
+      static_cast<std::uint32_t>(this->LayerOrder.size()) });
+    this->LayerErrors.push_back(triangle.KeyError);
+    this->LargestLayerError = std::max(this->LargestLayerError, triangle.KeyError);
+    this->HasOpaqueTriangles = this->HasOpaqueTriangles || !triangle.IsLayer;
+  }
+  std::sort(this->LayerOrder.begin(), this->LayerOrder.end(),
+    [](const LayerCandidate& a, const LayerCandidate& b) {
+      return a.Key != b.Key ? a.Key > b.Key : a.Layer < b.Layer;
     });
 }
 
@@ -88,8 +93,9 @@ void TileRasterizer::CoverRows(const SamplePoints& points, int firstRow, int row
   // One more, because a candidate is written before it is known to be one.
   this->Candidates.resize(std::max(this->Candidates.size(), count * stride + 1));
   this->CandidateCounts.assign(count, 0);
-  for (const std::uint32_t index : this->LayerOrder)
+  for (const LayerCandidate& layer : this->LayerOrder)
   {
+    const std::uint32_t index = layer.Layer;
     const PixelTriangle& triangle = this->Selected[index];
     const int low = std::max<int>(triangle.FirstRow, firstRow);
     const int high = std::min<int>(triangle.LastRow, lastRow);
@@ -116,7 +122,6 @@ void TileRasterizer::CoverRows(const SamplePoints& points, int firstRow, int row
 // Sorts the candidates of a point. Returns the end of those that are layers.
 LayerCandidate* TileRasterizer::SelectLayers(LayerCandidate* begin, LayerCandidate* end) const
 {
-  bool isApart = true;
   // A ray continues behind a hit, whose distance is rounded.
   const auto rounding = static_cast<float>(RoundingError * std::abs(this->ReferenceKey));
   for (LayerCandidate* next = begin; next < end; ++next)
@@ -129,13 +134,19 @@ LayerCandidate* TileRasterizer::SelectLayers(LayerCandidate* begin, LayerCandida
     }
     *at = candidate;
   }
+  float gap = std::numeric_limits<float>::infinity();
   for (const LayerCandidate* next = begin; next + 1 < end; ++next)
   {
-    const float errors =
-      this->Selected[next[0].Layer].KeyError + this->Selected[next[1].Layer].KeyError;
-    isApart = isApart && next[0].Key - next[1].Key > std::max(errors, rounding);
+    gap = std::min(gap, next[0].Key - next[1].Key);
   }
-  end = isApart ? end : this->SelectCoincident(begin, end);
+  if (gap <= std::max(2.f * this->LargestLayerError, rounding))
+  {
+    end = this->SelectCoincident(begin, end);
+  }
+  if (!this->HasOpaqueTriangles)
+  {
+    return end;
+  }
   for (LayerCandidate* next = begin; next < end; ++next)
   {
     if (!this->Selected[next->Layer].IsLayer)
@@ -155,10 +166,10 @@ LayerCandidate* TileRasterizer::SelectCoincident(LayerCandidate* begin, LayerCan
   LayerCandidate* kept = begin;
   for (LayerCandidate *first = begin, *last = begin; first < end; first = last)
   {
-    const float error = this->Selected[first->Layer].KeyError;
+    const float error = this->LayerErrors[first->Layer];
     for (last = first + 1; last < end; ++last)
     {
-      const float other = this->Selected[last->Layer].KeyError;
+      const float other = this->LayerErrors[last->Layer];
       const float both = error > 0.f && other > 0.f ? error + other : 0.f;
       if (first->Key - last->Key > std::max(both, rounding))
       {
@@ -188,32 +199,31 @@ LayerCandidate* TileRasterizer::SelectCoincident(LayerCandidate* begin, LayerCan
   return kept;
 }
 
-std::vector<glm::vec2> TileRasterizer::ClipLayer(std::uint32_t layer) const
+LayerPolygon TileRasterizer::ClipLayer(std::uint32_t layer) const
 {
   const PixelTriangle& triangle = this->Selected[layer];
-  std::vector<glm::vec2> polygon = { { 0.f, 0.f }, { 1.f, 0.f }, { 1.f, 1.f }, { 0.f, 1.f } };
-  std::vector<glm::vec2> clipped;
+  LayerPolygon polygon{ { { { 0.f, 0.f }, { 1.f, 0.f }, { 1.f, 1.f }, { 0.f, 1.f } } }, 4 };
   for (int side = 0; side < 3 && !triangle.IsFull; ++side)
   {
     const LinearValue<float>& f = triangle.Sides[side];
     const auto evaluate = [&](glm::vec2 p) { return f.Value + f.SlopeX * p.x + f.SlopeY * p.y; };
-    clipped.clear();
-    for (std::size_t i = 0; i < polygon.size(); ++i)
+    LayerPolygon clipped;
+    for (int i = 0; i < polygon.Count; ++i)
     {
-      const glm::vec2 p = polygon[i];
-      const glm::vec2 q = polygon[(i + 1) % polygon.size()];
+      const glm::vec2 p = polygon.Points[i];
+      const glm::vec2 q = polygon.Points[i + 1 < polygon.Count ? i + 1 : 0];
       const float a = evaluate(p);
       const float b = evaluate(q);
       if (a >= 0.f)
       {
-        clipped.push_back(p);
+        clipped.Points[clipped.Count++] = p;
       }
       if ((a < 0.f) != (b < 0.f))
       {
-        clipped.push_back(p + a / (a - b) * (q - p));
+        clipped.Points[clipped.Count++] = p + a / (a - b) * (q - p);
       }
     }
-    polygon.swap(clipped);
+    polygon = clipped;
   }
   return polygon;
 }

@@ -21,7 +21,9 @@ class EdgeBlending
 {
 public:
   explicit EdgeBlending(const Camera& camera)
-    : ViewCamera(camera)
+    : PixelSize(static_cast<float>(camera.PixelSize)),
+      Origin(static_cast<float>(camera.DepthOfRayOrigins())),
+      IsParallel(camera.Parallel)
   {
   }
 
@@ -73,13 +75,13 @@ private:
   float ComputeReach(float slope) const
   {
     const float pixels = this->Width * (2.f + 0.5f * slope);
-    const auto pixel = static_cast<float>(this->ViewCamera.PixelSize);
-    const auto origin = static_cast<float>(this->ViewCamera.DepthOfRayOrigins());
-    const float distance = this->ViewCamera.Parallel ? 1.f : this->Edge + origin;
-    return pixels * pixel * distance;
+    const float distance = this->IsParallel ? 1.f : this->Edge + this->Origin;
+    return pixels * this->PixelSize * distance;
   }
 
-  const Camera& ViewCamera;
+  const float PixelSize; ///< see Camera
+  const float Origin;    ///< depth of the origins of rays
+  const bool IsParallel;
   int ObjectId = 0;
   float Edge = 0.f;    ///< distance of the nearest edge
   float Width = 0.f;   ///< of the edge, in pixels
