@@ -39,6 +39,9 @@ vtkSmartPointer<vtkDataObject> ReadObj(const std::string& path);
 /// Text, of vertices with or without normals, colors, texture coordinates and weights.
 vtkSmartPointer<vtkDataObject> ReadOff(const std::string& path);
 
+/// Points with intensities (array Intensities) and colors (Color).
+vtkSmartPointer<vtkDataObject> ReadPts(const std::string& path);
+
 /// Text in any case and indentation, and binary. Coincident points are merged.
 vtkSmartPointer<vtkDataObject> ReadStl(const std::string& path);
 

@@ -31,7 +31,6 @@
 #include "vtkMetaImageReader.h"
 #include "vtkNIFTIImageReader.h"
 #include "vtkOpenFOAMReader.h"
-#include "vtkPTSReader.h"
 #include "vtkSLCReader.h"
 #include "vtkTecplotReader.h"
 #include "vtkXMLImageDataReader.h"
@@ -90,14 +89,6 @@ Algorithm MakeEnSight(const std::string& path)
   auto reader = vtkSmartPointer<vtkGenericEnSightReader>::New();
   reader->SetCaseFileName(path.c_str());
   reader->ReadAllVariablesOn();
-  return reader;
-}
-
-Algorithm MakePts(const std::string& path)
-{
-  auto reader = vtkSmartPointer<vtkPTSReader>::New();
-  reader->SetFileName(path.c_str());
-  reader->SetOutputDataTypeIsDouble(true); // Surveys have coordinates of many digits.
   return reader;
 }
 
@@ -182,7 +173,7 @@ std::vector<ReaderRow> MakeTable()
 #endif
     { { ".byu" }, "Movie.BYU", "vtkBYUReader", MakeByu },
     { { ".facet" }, "Facet", PENUMBRA_READER(vtkFacetReader) },
-    { { ".pts" }, "Points", "vtkPTSReader", MakePts },
+    { { ".pts" }, "Points", "Penumbra", nullptr, ReadPts },
     { { ".mha", ".mhd" }, "MetaImage", PENUMBRA_READER(vtkMetaImageReader), nullptr,
       OrientMetaImage },
     { { ".nrrd", ".nhdr" }, "NRRD", "vtkNrrdReader", MakeNrrdReader, nullptr, OrientNrrd },

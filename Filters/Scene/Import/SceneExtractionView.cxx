@@ -129,7 +129,7 @@ constexpr double FarSceneRatio = 32.0;
 
 /// Returns the distance by which ray origins can be moved forward so that they stay in front of
 /// `bounds` by at least the length of their diagonal. In perspective, the result is 0 unless the
-/// scene is far away.
+/// scene is far away and larger than a point.
 double ComputeAdvance(
   glm::dvec3 position, glm::dvec3 forward, bool parallel, const double bounds[6])
 {
@@ -141,6 +141,10 @@ double ComputeAdvance(
   }
   const glm::dvec3 size(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
   const double distance = std::max(nearest - glm::length(size), 0.0);
+  if (size == glm::dvec3(0.0))
+  {
+    return 0.0; // A single point must not be at the ray origins.
+  }
   return parallel || distance > FarSceneRatio * glm::length(size) ? distance : 0.0;
 }
 
