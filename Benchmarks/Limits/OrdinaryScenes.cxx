@@ -150,7 +150,7 @@ void BuildCheckerboard(vtkRenderer* renderer, bool interpolate, bool textured)
   texture->SetInterpolate(interpolate);
   vtkNew<vtkPlaneSource> plane;
   plane->Update();
-  vtkActor* const actor = AddMesh(renderer, plane->GetOutput(), true);
+  vtkActor* const actor = AddMesh(renderer, plane->GetOutput(), false);
   actor->SetTexture(textured ? texture.Get() : nullptr);
   vtkCamera* const camera = renderer->GetActiveCamera();
   camera->SetPosition(0.1, -0.75, 0.12);
