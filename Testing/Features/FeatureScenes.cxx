@@ -448,6 +448,17 @@ void AddImagesAndAnnotations(SceneList& add)
       Look(r);
     },
     0.02);
+  add(
+    Feature::CubeAxes,
+    [](Renderer r, Window) { // along the z axis, whose labels have no direction then
+      vtkNew<vtkCubeAxesActor> axes;
+      Add(r, MakeSphere());
+      axes->SetBounds(-0.5, 0.5, -0.5, 0.5, -0.5, 0.5);
+      axes->SetCamera(r->GetActiveCamera());
+      r->AddActor(axes);
+      r->ResetCamera();
+    },
+    0.02);
 }
 
 /// Scenes of cameras, lights, backgrounds, layers and the options of renderers.

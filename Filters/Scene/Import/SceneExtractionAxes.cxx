@@ -24,6 +24,7 @@
 #include "vtkStringArray.h"
 #include "vtkTextProperty.h"
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -81,6 +82,10 @@ private:
       for (int j = 0; j < 4; ++j)
       {
         item.ToWorld[j][i] = matrix->GetElement(i, j);
+        if (!std::isfinite(item.ToWorld[j][i])) // of a label of an axis along the view direction
+        {
+          return 1;
+        }
       }
     }
     RecordedParts->push_back(std::move(item));
