@@ -137,6 +137,45 @@ TEST(TextureFootprints, AverageStripesExactly)
       squares += d * d;
     }
   }
-  EXPECT_LE(std::sqrt(squares / (Side * Side)), 1.0 / 256.0);
+  EXPECT_LE(std::sqrt(squares / (Side * Side)), 5e-4); // the diagonal is sampled
   EXPECT_LE(answer.RaysPerPixel, 2.0);
+}
+
+TEST(TextureFootprints, AverageStripesToTheHorizonExactly)
+{
+  // Stripes across the view, of rows of texels, on a plane in perspective.
+  constexpr int texels = 256;
+  constexpr double Height = 0.1;
+  vtkNew<vtkRenderer> renderer;
+  AddTexturedSquare(renderer, texels, false, [](int, int j) {
+    return j % 2 == 0;
+  })->SetScale(10.0, 1.0, 1.0);
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  camera->SetPosition(5.0, -0.2, Height);
+  camera->SetFocalPoint(5.0, 1.0, Height);
+  camera->SetViewUp(0, 0, 1);
+  camera->SetViewAngle(40.0);
+  renderer->ResetCameraClippingRange();
+  const Answer answer = Cast(renderer, Side, Side);
+  const double slope = std::tan(20.0 * std::acos(-1.0) / 180.0) / (0.5 * Side); // per pixel
+  // Image coordinate at which the ray meets the plane at a distance from the camera.
+  const auto project = [&](double distance) { return 0.5 * Side - Height / distance / slope; };
+  int compared = 0;
+  for (int i = 0; i < Side; ++i)
+  {
+    if (i < project(0.2) || i + 1 > project(1.2))
+    {
+      continue;
+    }
+    double expected = 0.0;
+    for (int texel = 0; texel < texels; texel += 2)
+    {
+      const double low = std::max<double>(i, project(0.2 + texel / double(texels)));
+      const double high = std::min<double>(i + 1, project(0.2 + (texel + 1.0) / texels));
+      expected += std::max(high - low, 0.0);
+    }
+    EXPECT_NEAR(answer.Colors[static_cast<std::size_t>(i) * Side + Side / 4].g, expected, 1e-4);
+    ++compared;
+  }
+  EXPECT_GE(compared, 15);
 }

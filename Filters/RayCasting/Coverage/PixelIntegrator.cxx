@@ -130,7 +130,8 @@ PixelResult PixelIntegrator::Integrate(
   if (isTextureDiscontinuous && this->Rasterizer &&
     !this->Rasterizer->SelectPixel({ this->X, this->Y }) && this->SelectLayers())
   {
-    return this->IntegrateSampled();
+    PixelResult result;
+    return this->IntegrateTexels(result) ? result : this->IntegrateSampled();
   }
   const bool unknown = (this->Settings.Shadows && !this->Segments.empty()) ||
     this->IsNearShadowBoundary() || isTextureDiscontinuous;

@@ -56,7 +56,7 @@ struct IntegrationSettings
 struct PixelCounts
 {
   long long Empty = 0;       ///< case 1: only background
-  long long Interior = 0;    ///< case 2: mean of the corners
+  long long Interior = 0;    ///< case 2: mean of the corners or of the texels
   long long Edge = 0;        ///< case 3: exact coverage between edges
   long long SmallObject = 0; ///< case 4: edges between four corners on one surface
   long long Refined = 0;     ///< subdivided because of contrast, or without edges
@@ -172,6 +172,7 @@ private:
   PixelResult IntegrateSampled();
   bool MayRasterize(std::size_t edges) const;
   bool SelectLayers() const;
+  bool IntegrateTexels(PixelResult& result);
   void RasterizeLayers(SampledPixel& pixel, std::size_t total);
   void ShadeLayer(SampledPixel& pixel, std::uint32_t layer, PixelLayerColor& color);
   void ShadePartOfLayer(SampledPixel& pixel, std::uint32_t layer, PixelLayerColor& color);

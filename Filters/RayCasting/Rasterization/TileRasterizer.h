@@ -67,6 +67,14 @@ public:
   /// Returns true if VisitLayers() decides what is visible in the selected pixel, and not a ray.
   bool HasLayers() const { return this->IsLayered; }
 
+  /// Returns true if one opaque triangle with a texture that multiplies its color covers the selected
+  /// pixel, and nothing is in front of it.
+  bool IsTextured() const
+  {
+    return this->Selected.size() == 1 && this->Selected[0].IsFull && !this->Selected[0].IsComplex &&
+      !this->Selected[0].IsLayer && this->Selected[0].IsTextured;
+  }
+
   /// Returns true if the selected pixel contains triangles of lines or points.
   bool HasLines() const;
 
