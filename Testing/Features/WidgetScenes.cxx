@@ -33,6 +33,7 @@
 #include "vtkSliderRepresentation2D.h"
 #include "vtkTable.h"
 #include "vtkTexturedButtonRepresentation2D.h"
+#include "vtkVersionMacros.h"
 
 #include <cmath>
 
@@ -142,36 +143,44 @@ void AddSolidWidgets(SceneList& add)
 
 void AddLightActors(SceneList& add)
 {
+  // With VTK 9.2, 0.7 to 1.1 % of the pixels differ.
+  constexpr double different = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) ? 0.002 : 0.015;
   for (const double angle : { 20.0, 40.0 })
   {
-    add(Feature::LightActors, [angle](Renderer r, Window) {
+    add(
+      Feature::LightActors,
+      [angle](Renderer r, Window) {
+        Add(r, MakePlane(4));
+        vtkNew<vtkLight> light;
+        light->SetPosition(0.2, 0.3, 1.0);
+        light->SetFocalPoint(0.1, 0.0, 0.0);
+        light->SetPositional(true);
+        light->SetConeAngle(angle);
+        vtkNew<vtkLightActor> actor;
+        actor->SetLight(light);
+        actor->SetClippingRange(0.2, 0.9);
+        r->AddViewProp(actor);
+        r->GetActiveCamera()->SetPosition(3.0, -1.0, 3.0);
+        r->ResetCamera();
+      },
+      different);
+  }
+  add(
+    Feature::LightActors,
+    [](Renderer r, Window) {
       Add(r, MakePlane(4));
-      vtkNew<vtkLight> light;
-      light->SetPosition(0.2, 0.3, 1.0);
-      light->SetFocalPoint(0.1, 0.0, 0.0);
-      light->SetPositional(true);
-      light->SetConeAngle(angle);
-      vtkNew<vtkLightActor> actor;
-      actor->SetLight(light);
-      actor->SetClippingRange(0.2, 0.9);
+      vtkNew<vtkCamera> camera;
+      camera->SetPosition(0.2, 0.3, 1.0);
+      camera->SetClippingRange(0.2, 0.9);
+      vtkNew<vtkCameraActor> actor;
+      actor->SetCamera(camera);
+      actor->GetProperty()->SetColor(1.0, 0.6, 0.1);
+      actor->SetWidthByHeightRatio(1.5);
       r->AddViewProp(actor);
       r->GetActiveCamera()->SetPosition(3.0, -1.0, 3.0);
       r->ResetCamera();
-    });
-  }
-  add(Feature::LightActors, [](Renderer r, Window) {
-    Add(r, MakePlane(4));
-    vtkNew<vtkCamera> camera;
-    camera->SetPosition(0.2, 0.3, 1.0);
-    camera->SetClippingRange(0.2, 0.9);
-    vtkNew<vtkCameraActor> actor;
-    actor->SetCamera(camera);
-    actor->GetProperty()->SetColor(1.0, 0.6, 0.1);
-    actor->SetWidthByHeightRatio(1.5);
-    r->AddViewProp(actor);
-    r->GetActiveCamera()->SetPosition(3.0, -1.0, 3.0);
-    r->ResetCamera();
-  });
+    },
+    different);
 }
 
 vtkSmartPointer<vtkTable> MakeTable()

@@ -18,6 +18,7 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +61,9 @@ bool HasCurvedCells(vtkUnstructuredGridBase* grid)
   }
   return false;
 }
+
+/// vtkDataSetSurfaceFilter of VTK 9.2 crashes when it subdivides lines.
+constexpr bool SubdividesLines = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0);
 
 /// Number of triangles or segments into which VTK divides the faces or lines of a grid, and their
 /// largest distance from these.
@@ -116,7 +120,7 @@ int FindLevel(vtkUnstructuredGrid* faces, const ProgressCallback& progress)
       ThrowIfStopped(progress, 0.0);
     }
     faces->GetCell(i, face);
-    if (face->GetCellDimension() == 1 || face->GetCellDimension() == 2)
+    if (face->GetCellDimension() == 2 || (SubdividesLines && face->GetCellDimension() == 1))
     {
       Measure(face, first);
     }

@@ -158,6 +158,8 @@ TEST(CurvedCells, AreSubdividedToTheTolerance)
   }
 }
 
+// vtkDataSetSurfaceFilter of VTK 9.2 crashes when it subdivides lines.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 TEST(CurvedCells, LinesAreSubdividedToTheTolerance)
 {
   vtkNew<vtkUnstructuredGrid> grid;
@@ -185,6 +187,7 @@ TEST(CurvedCells, LinesAreSubdividedToTheTolerance)
   // Arc length of y = 0.5 x^2 between -1 and 1.
   EXPECT_NEAR(length, std::sqrt(2.0) + std::asinh(1.0), 1e-3);
 }
+#endif
 
 TEST(CurvedCells, HaveTheEdgesOfTheCellsAsCurves)
 {
