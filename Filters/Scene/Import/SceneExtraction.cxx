@@ -156,20 +156,25 @@ bool DependsOnCamera(const DrawItem& item)
     (hasLines && !(item.LineRadius > 0.0));
 }
 
-/// Returns true if `renderer` shows a prop whose shape depends on the camera.
-bool HasPropsOfView(vtkRenderer* renderer)
+std::vector<vtkProp*> GetProps(vtkRenderer* renderer)
 {
+  std::vector<vtkProp*> result;
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator position;
   props->InitTraversal(position);
   while (vtkProp* prop = props->GetNextProp(position))
   {
-    if (prop->GetVisibility() && (IsBillboard(prop) || IsCubeAxes(prop)))
-    {
-      return true;
-    }
+    result.push_back(prop);
   }
-  return false;
+  return result;
+}
+
+/// Returns true if `renderer` shows a prop whose shape depends on the camera.
+bool HasPropsOfView(vtkRenderer* renderer)
+{
+  const std::vector<vtkProp*> props = GetProps(renderer);
+  return std::any_of(props.begin(), props.end(),
+    [](vtkProp* prop) { return prop->GetVisibility() && (IsBillboard(prop) || IsCubeAxes(prop)); });
 }
 
 /// Extracts camera, lights and background.
@@ -226,19 +231,6 @@ bool AreIndependent(const std::vector<DrawItem>& items)
     [](const DrawItem& item) { return DependsOnCamera(item) || DependsOnOthers(item); });
 }
 
-std::vector<vtkProp*> GetProps(vtkRenderer* renderer)
-{
-  std::vector<vtkProp*> result;
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator position;
-  props->InitTraversal(position);
-  while (vtkProp* prop = props->GetNextProp(position))
-  {
-    result.push_back(prop);
-  }
-  return result;
-}
-
 /// A prop that was read, now or before.
 struct ReadProp
 {
@@ -274,6 +266,11 @@ ReadProp Read(
   result.Record.FirstObject = firstObject;
   result.Record.NumberOfObjects = read.NumberOfObjects;
   result.Record.Warnings = std::move(read.Warnings);
+  for (const DrawItem& item : read.Items)
+  {
+    result.Record.LargestRadius =
+      std::max(result.Record.LargestRadius, FindLargestRadius(item, 0.0));
+  }
   result.Items = std::move(read.Items);
   return result;
 }
@@ -286,11 +283,6 @@ void AddProp(const std::vector<DrawItem>& items, const ExtractionOptions& option
   record.FirstSurface = scene.Surfaces.size();
   AddDrawItems(items, options, scene);
   record.NumberOfSurfaces = scene.Surfaces.size() - record.FirstSurface;
-  record.LargestRadius = 0.0;
-  for (const DrawItem& item : items)
-  {
-    record.LargestRadius = std::max(record.LargestRadius, FindLargestRadius(item, 0.0));
-  }
   std::move(
     scene.Warnings.begin() + warnings, scene.Warnings.end(), std::back_inserter(record.Warnings));
   scene.Warnings.resize(static_cast<std::size_t>(warnings));
