@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GltfDocument.h"
 
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+
 #include <cstdint>
 
 namespace penumbra_testing
@@ -67,6 +71,33 @@ void AddAttribute(Document& root, const std::string& name, const std::string& ty
     { { "buffer", root["buffers"].size() }, { "byteLength", bytes.size() } });
   root["buffers"].push_back({ { "byteLength", bytes.size() },
     { "uri", "data:application/octet-stream;base64," + Base64(bytes) } });
+}
+
+Document MakeSquare()
+{
+  std::vector<float> normals;
+  for (int i = 0; i < 6; ++i)
+  {
+    normals.insert(normals.end(), { 0.f, 0.f, 1.f });
+  }
+  Document root = MakeGltf({ 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0 }, normals);
+  AddAttribute(root, "TEXCOORD_0", "VEC2", { 0, 1, 1, 1, 1, 0, 0, 1, 1, 0, 0, 0 });
+  return root;
+}
+
+void WriteTwoColors(const std::string& path)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 1, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int i = 0; i < 6; ++i)
+  {
+    image->SetScalarComponentFromDouble(i / 3, 0, 0, i % 3, 40.0 * (i + 1));
+  }
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(image);
+  writer->Write();
 }
 
 }

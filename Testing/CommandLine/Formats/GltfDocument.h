@@ -27,5 +27,11 @@ Document MakeGltf(const std::vector<float>& points, const std::vector<float>& no
 void AddAttribute(Document& root, const std::string& name, const std::string& type,
   const std::vector<float>& values);
 
+/// A square from 0 to 1 with texture coordinates.
+Document MakeSquare();
+
+/// Writes an image of two pixels of different colors, one right of the other.
+void WriteTwoColors(const std::string& path);
+
 }
 #endif

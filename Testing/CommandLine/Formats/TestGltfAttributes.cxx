@@ -8,8 +8,6 @@
 #include "RenderedImages.h"
 
 #include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkPNGWriter.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +22,7 @@ namespace
 const std::vector<float> Points = { 0, 0, 0, 1, 0, 0, 1, 1, 0.3f, 0, 0, 0, 1, 1, 0.3f, 0, 1, 0.3f };
 const std::vector<float> Coordinates = { 0, 1, 1, 1, 1, 0, 0, 1, 1, 0, 0, 0 };
 
-Document MakeSquare()
+Document MakeTiltedSquare()
 {
   std::vector<float> normals;
   for (int i = 0; i < 6; ++i)
@@ -82,17 +80,7 @@ void ExpectEqual(const Folder& folder, const std::string& name, const Document& 
 /// Adds a texture of two colors in x.
 void AddTexture(const Folder& folder, Document& root)
 {
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(2, 1, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (int i = 0; i < 6; ++i)
-  {
-    image->SetScalarComponentFromDouble(i / 3, 0, 0, i % 3, 40.0 * (i + 1));
-  }
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName((folder / "colors.png").c_str());
-  writer->SetInputData(image);
-  writer->Write();
+  WriteTwoColors(folder / "colors.png");
   root["images"] = Document::array({ { { "uri", "colors.png" } } });
   root["textures"] = Document::array({ { { "source", 0 } } });
   root["materials"] = Document::array({ { { "pbrMetallicRoughness",
@@ -103,7 +91,7 @@ void AddTexture(const Folder& folder, Document& root)
 TEST(GltfAttributes, IntegerPointsAndNormalsAreRead)
 {
   const Folder folder("quantized");
-  const Document plain = MakeSquare();
+  const Document plain = MakeTiltedSquare();
   ASSERT_EQ(Render(folder, "plain", plain).Status, 0);
   std::vector<float> normals;
   for (int i = 0; i < 6; ++i)
@@ -145,7 +133,7 @@ TEST(GltfAttributes, IntegerPointsAndNormalsAreRead)
 TEST(GltfAttributes, OtherSetsOfTextureCoordinatesAreUsed)
 {
   const Folder folder("sets");
-  Document root = MakeSquare();
+  Document root = MakeTiltedSquare();
   AddTexture(folder, root);
   Document plain = root;
   AddAttribute(plain, "TEXCOORD_0", "VEC2", Coordinates);
@@ -172,7 +160,7 @@ TEST(GltfAttributes, OtherSetsOfTextureCoordinatesAreUsed)
 TEST(GltfAttributes, ImagesOfExtensionsWithAlternativesAreNotNeeded)
 {
   const Folder folder("alternatives");
-  Document root = MakeSquare();
+  Document root = MakeTiltedSquare();
   AddAttribute(root, "TEXCOORD_0", "VEC2", Coordinates);
   AddTexture(folder, root);
   ASSERT_EQ(Render(folder, "plain", root).Status, 0);
@@ -185,7 +173,7 @@ TEST(GltfAttributes, ImagesOfExtensionsWithAlternativesAreNotNeeded)
 TEST(GltfAttributes, FilesWithoutScenesShowAllNodes)
 {
   const Folder folder("scenes");
-  Document root = MakeSquare();
+  Document root = MakeTiltedSquare();
   root["nodes"] = Document::array({ { { "mesh", 0 }, { "scale", { 0.5, 1, 1 } } },
     { { "children", { 2 } }, { "translation", { 0.5, 0, 0 } } },
     { { "mesh", 0 }, { "scale", { 0.4, 0.4, 1 } } } });

@@ -7,8 +7,6 @@
 #include "RenderedImages.h"
 
 #include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkPNGWriter.h"
 
 #include <gtest/gtest.h>
 
@@ -20,16 +18,10 @@ using namespace penumbra_testing;
 namespace
 {
 
-/// A square from 0 to 1 with texture coordinates.
-Document MakeSquare()
+/// A green square in two nodes.
+Document MakeGreenSquares()
 {
-  std::vector<float> normals;
-  for (int i = 0; i < 6; ++i)
-  {
-    normals.insert(normals.end(), { 0.f, 0.f, 1.f });
-  }
-  Document root = MakeGltf({ 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0 }, normals);
-  AddAttribute(root, "TEXCOORD_0", "VEC2", { 0, 1, 1, 1, 1, 0, 0, 1, 1, 0, 0, 0 });
+  Document root = MakeSquare();
   root["materials"] = Document::array({ { { "pbrMetallicRoughness",
     { { "baseColorFactor", { 0.2, 0.9, 0.4, 1.0 } }, { "metallicFactor", 0.0 } } } } });
   root["meshes"][0]["primitives"][0]["material"] = 0;
@@ -61,7 +53,7 @@ void NameReferences(Document& names, const std::string& list)
   }
 }
 
-/// The document of MakeSquare() in version 1: `values` are those of its material.
+/// The document of MakeGreenSquares() in version 1: `values` are those of its material.
 Document ToVersion1(Document root, const Document& values)
 {
   root["asset"]["version"] = "1.0";
@@ -136,7 +128,7 @@ void ExpectEqualImages(const Folder& folder, const std::string& a, const std::st
 TEST(GltfVersion1, ColorsAndNodesAreThoseOfVersion2)
 {
   const Folder folder("gltf1");
-  const Document root = MakeSquare();
+  const Document root = MakeGreenSquares();
   Render(folder, "second", root.dump());
   const Document values = { { "diffuse", { 0.2, 0.9, 0.4, 1.0 } } };
   Document first = ToVersion1(root, values);
@@ -158,18 +150,8 @@ TEST(GltfVersion1, ColorsAndNodesAreThoseOfVersion2)
 TEST(GltfVersion1, TexturesAreThoseOfVersion2)
 {
   const Folder folder("gltf1-textures");
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(2, 1, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (int i = 0; i < 6; ++i)
-  {
-    image->SetScalarComponentFromDouble(i / 3, 0, 0, i % 3, 40.0 * (i + 1));
-  }
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName((folder / "colors.png").c_str());
-  writer->SetInputData(image);
-  writer->Write();
-  Document root = MakeSquare();
+  WriteTwoColors(folder / "colors.png");
+  Document root = MakeGreenSquares();
   root["images"] = Document::array({ { { "uri", "colors.png" } } });
   root["samplers"] = Document::array({ { { "magFilter", 9728 }, { "minFilter", 9728 } } });
   root["textures"] = Document::array({ { { "source", 0 }, { "sampler", 0 } } });

@@ -133,19 +133,6 @@ void ExpectReferenceOfGltf(const Folder& folder, const Document& root)
   ExpectReference(folder, "scene.png", RenderWithVTK<vtkGLTFImporter>(folder / "scene.gltf"));
 }
 
-/// A square from 0 to 1 with texture coordinates.
-Document MakeSquare()
-{
-  std::vector<float> normals;
-  for (int i = 0; i < 6; ++i)
-  {
-    normals.insert(normals.end(), { 0.f, 0.f, 1.f });
-  }
-  Document root = MakeGltf({ 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0 }, normals);
-  AddAttribute(root, "TEXCOORD_0", "VEC2", { 0, 1, 1, 1, 1, 0, 0, 1, 1, 0, 0, 0 });
-  return root;
-}
-
 Document MakeMaterial(double r, double g, double b)
 {
   return { { "pbrMetallicRoughness",
