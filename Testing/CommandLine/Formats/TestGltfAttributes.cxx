@@ -7,8 +7,6 @@
 #include "Program.h"
 #include "RenderedImages.h"
 
-#include "vtkImageData.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
