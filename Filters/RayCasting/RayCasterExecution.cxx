@@ -368,7 +368,7 @@ void vtkPenumbraRayCaster::Internals::AddLayer(
   caster->SetUniformSamples(self->UniformSamples);
   caster->SetMaximumLevel(self->MaximumLevel);
   caster->SetFindSmallObjects(self->FindSmallObjects);
-  caster->SetUsePackets(self->UsePackets);
+  caster->UsePackets = self->UsePackets;
   caster->SetNumberOfThreads(self->NumberOfThreads);
   caster->SetDPI(self->DPI);
   if (self->TimeLimit > 0.0)

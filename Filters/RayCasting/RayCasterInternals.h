@@ -7,6 +7,7 @@
 
 #include "vtkPenumbraRayCaster.h"
 
+#include "Conventions/ExpertSettings.h"
 #include "Execution/WorkLimit.h"
 #include "Image/ImageRenderer.h"
 #include "Import/SceneExtraction.h"
@@ -75,6 +76,7 @@ struct vtkPenumbraRayCaster::Internals
     bool OfRenderer = false; ///< replaces the screen-space ambient occlusion of the renderer
   };
 
+  penumbra::ExpertSettings Experts;
   vtkSmartPointer<vtkRenderer> Renderer;
   std::optional<bool> Shadows;          ///< if not set, as Renderer
   std::optional<bool> AmbientOcclusion; ///< if not set, as Renderer

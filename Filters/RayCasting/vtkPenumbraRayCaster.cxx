@@ -30,6 +30,7 @@ vtkPenumbraRayCaster::vtkPenumbraRayCaster()
   : Implementation(new Internals)
 {
   this->SetNumberOfInputPorts(1);
+  this->Implementation->Experts.Add("UsePackets", this->UsePackets);
 }
 
 vtkPenumbraRayCaster::~vtkPenumbraRayCaster() = default;
@@ -51,6 +52,16 @@ void vtkPenumbraRayCaster::SetTimeLimit(double seconds)
     this->TimeLimit = seconds;
     this->Implementation->ModifyButKeepScene(this);
   }
+}
+
+bool vtkPenumbraRayCaster::SetExpertSetting(const char* name, double value)
+{
+  return this->Implementation->Experts.Set(this, name, value);
+}
+
+double vtkPenumbraRayCaster::GetExpertSetting(const char* name)
+{
+  return this->Implementation->Experts.Get(this, name);
 }
 
 vtkRenderer* vtkPenumbraRayCaster::GetRenderer()
@@ -319,13 +330,13 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GeometryArrays: " << this->GeometryArrays << "\n";
   os << indent << "OcclusionArray: " << this->OcclusionArray << "\n";
   os << indent << "Background: " << this->Background << "\n";
-  os << indent << "UsePackets: " << this->UsePackets << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "PointRadius: " << this->PointRadius << "\n";
   os << indent << "LineRadius: " << this->LineRadius << "\n";
   os << indent << "DPI: " << this->DPI << "\n";
   os << indent << "Layers: " << this->Layers << "\n";
   os << indent << "KeepScene: " << this->KeepScene << "\n";
+  this->Implementation->Experts.Print(os, indent);
   os << indent << "EstimatedError: " << this->Implementation->EstimatedError << "\n";
   os << indent << "EstimatedLightError: " << this->Implementation->EstimatedLightError << "\n";
 }

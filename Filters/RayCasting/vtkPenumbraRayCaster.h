@@ -315,15 +315,6 @@ public:
   ///@}
 
   ///@{
-  /**
-   * If on, trace corner rays in packets of 16. Off is useful only to measure the gain. Default: on.
-   */
-  vtkSetMacro(UsePackets, bool);
-  vtkGetMacro(UsePackets, bool);
-  vtkBooleanMacro(UsePackets, bool);
-  ///@}
-
-  ///@{
   /** Number of threads; 0: all. The image does not depend on it. Range: [0, 1024]. Default: 0. */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
@@ -386,6 +377,16 @@ public:
    */
   vtkSetClampMacro(LineRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LineRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Settings of experts, which no release promises to keep; a benchmark or a test shows what they
+   * change. Values are clamped to their range. Unknown names are an error. Flags are 0 or 1.
+   * - `UsePackets`: trace corner rays in packets of 16. Default: 1.
+   */
+  bool SetExpertSetting(const char* name, double value);
+  double GetExpertSetting(const char* name);
   ///@}
 
   /**

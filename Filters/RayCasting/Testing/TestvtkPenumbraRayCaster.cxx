@@ -405,8 +405,12 @@ TEST_F(RayCaster, TerminatesForPointsThatAreNotFinite)
     this->Caster->AmbientOcclusionOn();
     this->Caster->IndirectLightOn();
     this->Caster->SetResolution(40, 30);
-    this->Caster->Update();
+    // The finite triangle is visible, and no value of the other one reaches a color.
+    const std::vector<float> colors = this->Render();
+    EXPECT_TRUE(
+      std::all_of(colors.begin(), colors.end(), [](float value) { return std::isfinite(value); }));
     this->Renderer->RemoveActor(actor);
+    EXPECT_NE(colors, this->Render());
   }
 }
 
@@ -465,6 +469,31 @@ TEST(RayCasterSettings, ComputesMaximumLevelFromViewing)
   EXPECT_EQ(caster->GetMaximumLevel(), 3);
   caster->SetMaximumLevelFromViewing(8192.0, 1.0);
   EXPECT_EQ(caster->GetMaximumLevel(), 0);
+}
+
+TEST(RayCasterSettings, CheckNamesAndRangesOfExpertSettings)
+{
+  vtkNew<vtkPenumbraRayCaster> caster;
+  vtkNew<vtkCallbackCommand> observer;
+  std::string message;
+  observer->SetClientData(&message);
+  observer->SetCallback([](vtkObject*, unsigned long, void* data, void* text) {
+    *static_cast<std::string*>(data) += static_cast<const char*>(text);
+  });
+  caster->AddObserver(vtkCommand::ErrorEvent, observer);
+  const vtkMTimeType before = caster->GetMTime();
+  EXPECT_TRUE(caster->SetExpertSetting("UsePackets", 1.0));
+  EXPECT_EQ(caster->GetMTime(), before); // the default
+  EXPECT_TRUE(caster->SetExpertSetting("UsePackets", -3.0));
+  EXPECT_EQ(caster->GetExpertSetting("UsePackets"), 0.0);
+  EXPECT_GT(caster->GetMTime(), before);
+  EXPECT_EQ(message, "");
+  EXPECT_FALSE(caster->SetExpertSetting("UsePackets", std::nan("")));
+  EXPECT_NE(message.find("UsePackets must be a number"), std::string::npos) << message;
+  message.clear();
+  EXPECT_FALSE(caster->SetExpertSetting("UsePacket", 1.0));
+  EXPECT_NE(message.find("no expert setting UsePacket; there are"), std::string::npos) << message;
+  EXPECT_EQ(caster->GetExpertSetting("UsePackets"), 0.0);
 }
 
 TEST(RayCasterOcclusion, MatchesTheClosedFormOfOcclusionBesideAWall)
