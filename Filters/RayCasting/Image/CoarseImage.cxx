@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CoarseImage.h"
 
-#include "Coverage/CoverageConstants.h"
+#include "Pixels/CoverageConstants.h"
 #include "Scene.h"
 #include "Shading/HemisphereSampling.h"
 #include "Shading/OwenSobolSequence.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageRegion.h"
 
-#include "Coverage/CoverageConstants.h"
+#include "Edges/EdgeConstants.h"
 #include "Edges/SubpixelTriangles.h"
 #include "Edges/UnsteadyNormals.h"
 #include "RegionRenderer.h"
@@ -39,10 +39,10 @@ SceneEdges FindSceneEdges(
   for (const Surface& surface : scene.Surfaces)
   {
     ThrowIfStopped(progress, 0.0);
-    edges.Dense.push_back(HasSubpixelTriangles(surface, scene.ViewCamera));
-    edges.Unsteady.push_back(HasUnsteadyNormals(surface));
-    edges.EdgesBySurface.push_back(
-      FindEdges(surface, edges.Dense.back(), edges.Unsteady.back(), integration, scene.ViewCamera));
+    edges.Flags.Dense.push_back(HasSubpixelTriangles(surface, scene.ViewCamera));
+    edges.Flags.Unsteady.push_back(HasUnsteadyNormals(surface));
+    edges.EdgesBySurface.push_back(FindEdges(surface, edges.Flags.Dense.back(),
+      edges.Flags.Unsteady.back(), integration, scene.ViewCamera));
   }
   return edges;
 }
@@ -62,16 +62,16 @@ void UpdateSceneEdges(const Scene& scene, const RenderSettings& settings,
   {
     ThrowIfStopped(progress, 0.0);
     const Surface& surface = scene.Surfaces[i];
-    const char wasDense = edges.Dense[i];
-    edges.Dense[i] = HasSubpixelTriangles(surface, scene.ViewCamera);
+    const char wasDense = edges.Flags.Dense[i];
+    edges.Flags.Dense[i] = HasSubpixelTriangles(surface, scene.ViewCamera);
     if (isChanged[i])
     {
-      edges.Unsteady[i] = HasUnsteadyNormals(surface);
+      edges.Flags.Unsteady[i] = HasUnsteadyNormals(surface);
     }
-    if (isChanged[i] || ((edges.Dense[i] || wasDense) && !surface.Instances))
+    if (isChanged[i] || ((edges.Flags.Dense[i] || wasDense) && !surface.Instances))
     {
-      edges.EdgesBySurface[i] = FindEdges(
-        surface, edges.Dense[i], edges.Unsteady[i], settings.Integration, scene.ViewCamera);
+      edges.EdgesBySurface[i] = FindEdges(surface, edges.Flags.Dense[i], edges.Flags.Unsteady[i],
+        settings.Integration, scene.ViewCamera);
     }
   }
 }

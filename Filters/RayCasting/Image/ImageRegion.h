@@ -5,10 +5,12 @@
 #ifndef penumbra_ImageRegion_h
 #define penumbra_ImageRegion_h
 
-#include "Coverage/PixelIntegrator.h"
 #include "Edges/MeshEdges.h"
 #include "Execution/ParallelFor.h"
 #include "Light/LightRays.h"
+#include "Pixels/IntegrationSettings.h"
+#include "Pixels/TileGeometry.h"
+#include "Sampling/CameraRayTracer.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
 #include <functional>
@@ -41,9 +43,7 @@ struct RenderSettings
 struct SceneEdges
 {
   std::vector<std::vector<MeshEdge>> EdgesBySurface;
-  std::vector<char> Dense;    ///< per surface: its triangles are smaller than pixels, and only the
-                              ///< silhouettes and boundaries among their edges are found
-  std::vector<char> Unsteady; ///< per surface: see HasUnsteadyNormals()
+  SurfaceFlags Flags;
 };
 
 /// Finds the edges of all surfaces. Throws Stopped if `progress` requests a stop.

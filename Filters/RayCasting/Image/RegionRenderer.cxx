@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RegionRenderer.h"
 
-#include "Coverage/CoverageConstants.h"
-#include "Coverage/PixelErrors.h"
+#include "Pixels/CoverageConstants.h"
+#include "Pixels/PixelErrors.h"
 #include "Scene.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RegionTiles.h"
 
-#include "Coverage/CoverageConstants.h"
-#include "Coverage/TileRefinement.h"
+#include "Pixels/CoverageConstants.h"
+#include "Samples/TileRefinement.h"
 #include "Scene.h"
 #include "Surface.h"
 
@@ -29,7 +29,7 @@ constexpr int ErrorTileSide = 16;
 int RefineTiles(glm::ivec2 low, glm::ivec2 high, PixelIntegrator& integrator, ImageRegion& region)
 {
   int unfinished = 0;
-  if (integrator.GetSampledPixels().empty())
+  if (integrator.GetSampler().GetPixels().empty())
   {
     return unfinished;
   }
@@ -48,7 +48,7 @@ int RefineTiles(glm::ivec2 low, glm::ivec2 high, PixelIntegrator& integrator, Im
         squares += error * error;
       }
     }
-    for (SampledPixel& pixel : integrator.GetSampledPixels())
+    for (SampledPixel& pixel : integrator.GetSampler().GetPixels())
     {
       if (pixel.X >= first.x && pixel.X < last.x && pixel.Y >= first.y && pixel.Y < last.y)
       {
@@ -59,14 +59,16 @@ int RefineTiles(glm::ivec2 low, glm::ivec2 high, PixelIntegrator& integrator, Im
       }
     }
     const int count = (last.x - first.x) * (last.y - first.y);
-    const bool finished = RefineTile(integrator, pixels, count, std::max(squares, 0.0));
+    const bool finished =
+      RefineTile(integrator.GetSampler(), pixels, count, std::max(squares, 0.0));
     unfinished += finished ? 0 : static_cast<int>(pixels.size());
     for (const SampledPixel* pixel : pixels)
     {
       const std::size_t index = region.Index(pixel->X, pixel->Y);
       StorePixel(pixel->Result, pixel->MediumError, index, region);
       region.RaysPerPixel[index] += static_cast<float>(pixel->Rays);
-      pixel->GetNumberOfSamples() == 0 ? ++integrator.Pixels.Interior : ++integrator.Pixels.Uniform;
+      PixelCounts& counts = integrator.GetPixel().Pixels;
+      pixel->GetNumberOfSamples() == 0 ? ++counts.Interior : ++counts.Uniform;
     }
   }
   return unfinished;
@@ -161,91 +163,84 @@ RegionTiles::Rectangle RegionTiles::GetPixels(int tile) const
   return { glm::max(origin, this->Low), glm::min(origin + TileSide, this->High) };
 }
 
-int RegionTiles::Render(int tile, ImageRegion& region, Totals& totals) const
+template <typename Use>
+void RegionTiles::UseEdges(int tile, const Use& use) const
 {
-  const glm::ivec2 origin = this->GetOrigin(tile);
   const std::uint32_t* const indices = this->Bins.Edges.data() + this->Bins.Begin[tile];
   const std::size_t count = this->Bins.Begin[tile + 1] - this->Bins.Begin[tile];
   const std::size_t shapes = this->Outlines.GetCount(tile) + this->Instances.GetCount(tile);
+  if (shapes == 0)
+  {
+    use(TileEdges{ this->Edges, indices, count });
+    return;
+  }
   std::vector<ProjectedEdge> withOutlines;
-  if (shapes > 0 && shapes <= MaximumOutlinesInTile)
+  if (shapes > MaximumOutlinesInTile)
   {
-    // Pages of memory are used only if they are written; growing would write twice as many.
-    withOutlines.reserve(count + shapes * EdgesPerOutline);
-    std::transform(indices, indices + count, std::back_inserter(withOutlines),
-      [&](std::uint32_t i) { return this->Edges[i]; });
-    this->Outlines.Project(tile, glm::dvec2(origin), glm::dvec2(origin + TileSide), withOutlines);
-    this->Instances.Project(tile, glm::dvec2(origin), glm::dvec2(origin + TileSide), withOutlines);
+    use(TileEdges{ withOutlines, nullptr, 0, true });
+    return;
   }
-  else if (shapes > 0)
-  {
-    // One edge outside of the tile, which stands for those that were left out.
-    withOutlines.push_back({ glm::dvec2(origin) - 16.0, glm::dvec2(origin) - 15.0, 1.0, 1.0 });
-  }
-  const TileEdges inTile{ shapes > 0 ? withOutlines : this->Edges, shapes > 0 ? nullptr : indices,
-    shapes > 0 ? withOutlines.size() : count, shapes > MaximumOutlinesInTile };
-  PixelIntegrator integrator(this->Tracer, this->Grid, inTile.All, this->MeshEdges.Dense,
-    this->MeshEdges.Unsteady, this->Settings.Integration);
-  TileRasterizer rasterizer(this->Tracer.GetRays(), this->Cells, *this->Triangles, tile);
-  const bool mayRasterize = this->Triangles->GetCount(tile) > 0 && shapes == 0;
-  const int unfinished = this->RenderPixels(this->GetPixels(tile), origin, inTile,
-    mayRasterize ? &rasterizer : nullptr, integrator, region);
-  totals.Edges += inTile.IsDense || shapes == 0 ? 0 : static_cast<long long>(inTile.Count - count);
-  totals.Rays += integrator.Rays;
-  totals.Pixels += integrator.Pixels;
+  // Pages of memory are used only if they are written; growing would write twice as many.
+  withOutlines.reserve(count + shapes * EdgesPerOutline);
+  std::transform(indices, indices + count, std::back_inserter(withOutlines),
+    [&](std::uint32_t i) { return this->Edges[i]; });
+  const glm::dvec2 low(this->GetOrigin(tile));
+  this->Outlines.Project(tile, low, low + static_cast<double>(TileSide), withOutlines);
+  this->Instances.Project(tile, low, low + static_cast<double>(TileSide), withOutlines);
+  use(TileEdges{ withOutlines, nullptr, withOutlines.size() });
+}
+
+int RegionTiles::Render(int tile, ImageRegion& region, Totals& totals) const
+{
+  int unfinished = 0;
+  this->UseEdges(tile, [&](const TileEdges& edges) {
+    const bool hasShapes = &edges.All != &this->Edges;
+    TileRasterizer rasterizer(this->Tracer.GetRays(), this->Cells, *this->Triangles, tile);
+    const bool mayRasterize = this->Triangles->GetCount(tile) > 0 && !hasShapes;
+    const TileGeometry geometry(edges, this->GetOrigin(tile), TileSide,
+      mayRasterize ? &rasterizer : nullptr, this->MeshEdges.Flags);
+    PixelIntegrator integrator(this->Tracer, this->Grid, geometry, this->Settings.Integration);
+    const Rectangle pixels = this->GetPixels(tile);
+    unfinished = this->RenderPixels(pixels, integrator, region);
+    // Triangles that intersect in one pixel also intersect in its neighbors.
+    if (unfinished == 0 && integrator.HasFoundIntersection())
+    {
+      integrator.SearchAllPixelsForIntersections();
+      this->RenderPixels(pixels, integrator, region);
+    }
+    unfinished += RefineTiles(pixels.Low, pixels.High, integrator, region);
+    const std::size_t known = this->Bins.Begin[tile + 1] - this->Bins.Begin[tile];
+    totals.Edges +=
+      edges.AreLeftOut || !hasShapes ? 0 : static_cast<long long>(edges.Count - known);
+    totals.Rays += integrator.GetPixel().Rays;
+    totals.Pixels += integrator.GetPixel().Pixels;
+  });
   return unfinished;
 }
 
-int RegionTiles::RenderPixels(const Rectangle& pixels, glm::ivec2 origin, const TileEdges& edges,
-  TileRasterizer* rasterizer, PixelIntegrator& integrator, ImageRegion& region) const
+// Renders the pixels of a tile once. Returns the number of pixels that a limit left as they were.
+int RegionTiles::RenderPixels(
+  const Rectangle& pixels, PixelIntegrator& integrator, ImageRegion& region) const
 {
-  const glm::ivec2 low = pixels.Low;
-  const glm::ivec2 high = pixels.High;
-  EdgeBins pixelEdges;
-  BinEdges(edges.All, edges.Indices, edges.Count, glm::dvec2(origin), 1.0, glm::ivec2(TileSide),
-    pixelEdges);
-  const std::size_t area = static_cast<std::size_t>(TileSide) * TileSide;
-  const bool crowded = pixelEdges.Edges.size() > CrowdedEdgesPerPixel * area;
-  integrator.SetRasterizer(rasterizer, pixelEdges.Edges.size() > RasterizedEdgesPerPixel * area);
-
-  // The integrator samples a pixel whose list of edges is longer than MaximumEdges.
-  const std::vector<std::uint32_t> tooMany(edges.IsDense ? MaximumEdges + 1 : 0, 0u);
-  integrator.BeginTile();
-  bool searchAll = false;
-  const PixelCounts initialCounts = integrator.Pixels;
-  int rendered = 0;
-  for (int y = low.y; y < high.y; ++y)
+  int left = pixels.GetArea();
+  for (int y = pixels.Low.y; y < pixels.High.y; ++y)
   {
-    for (int x = low.x; x < high.x; ++x)
+    for (int x = pixels.Low.x; x < pixels.High.x; ++x)
     {
       if (IsReached(this->Settings.Integration.Limit))
       {
-        return pixels.GetArea() - rendered + RefineTiles(low, high, integrator, region);
+        return left;
       }
-      const int cell = (y - origin.y) * TileSide + (x - origin.x);
-      const std::uint32_t* list =
-        edges.IsDense ? tooMany.data() : pixelEdges.Edges.data() + pixelEdges.Begin[cell];
-      const std::size_t size =
-        edges.IsDense ? tooMany.size() : pixelEdges.Begin[cell + 1] - pixelEdges.Begin[cell];
       const std::size_t index = region.Index(x, y);
-      const long long before = integrator.Rays.GetImageRays();
-      const PixelResult result = integrator.Integrate(x, y, list, size, crowded);
-      StorePixel(result, integrator.GetMediumError(), index, region);
-      region.RaysPerPixel[index] += static_cast<float>(integrator.Rays.GetImageRays() - before);
-      rendered += searchAll ? 0 : 1;
-    }
-    // Triangles that intersect in one pixel also intersect in its neighbors. Render the tile again
-    // and search all pixels with edges for intersections.
-    if (y + 1 == high.y && !searchAll && integrator.HasFoundIntersection())
-    {
-      searchAll = true;
-      integrator.SearchAllPixelsForIntersections();
-      integrator.GetSampledPixels().clear();
-      integrator.Pixels = initialCounts;
-      y = low.y - 1;
+      const RayCounts& rays = integrator.GetPixel().Rays;
+      const long long before = rays.GetImageRays();
+      const PixelResult result = integrator.Integrate({ x, y });
+      StorePixel(result, integrator.GetPixel().MediumError, index, region);
+      region.RaysPerPixel[index] += static_cast<float>(rays.GetImageRays() - before);
+      --left;
     }
   }
-  return RefineTiles(low, high, integrator, region);
+  return left;
 }
 
 }

@@ -5,6 +5,7 @@
 #ifndef penumbra_RegionTiles_h
 #define penumbra_RegionTiles_h
 
+#include "Coverage/PixelIntegrator.h"
 #include "Edges/RoundOutlines.h"
 #include "ImageRegion.h"
 #include "InstanceEdges.h"
@@ -56,18 +57,11 @@ public:
   int Render(int tile, ImageRegion& region, Totals& totals) const;
 
 private:
-  /// Edges of one tile.
-  struct TileEdges
-  {
-    const std::vector<ProjectedEdge>& All;
-    const std::uint32_t* Indices; ///< of `Count` edges in `All`; null: the first `Count` edges
-    std::size_t Count;
-    bool IsDense = false; ///< the edges are too many and have been left out
-  };
-
   glm::ivec2 GetOrigin(int tile) const;
-  int RenderPixels(const Rectangle& pixels, glm::ivec2 origin, const TileEdges& edges,
-    TileRasterizer* rasterizer, PixelIntegrator& integrator, ImageRegion& region) const;
+  /// Calls use(edges) with the edges of a tile.
+  template <typename Use>
+  void UseEdges(int tile, const Use& use) const;
+  int RenderPixels(const Rectangle& pixels, PixelIntegrator& integrator, ImageRegion& region) const;
 
   const CameraRayTracer& Tracer;
   const CornerGrid& Grid;

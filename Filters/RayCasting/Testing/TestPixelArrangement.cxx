@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Coverage/PixelArrangement.h"
+#include "Pixels/PixelArrangement.h"
 
 #include <gtest/gtest.h>
 

@@ -1,16 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Recursive subdivision of pixels in PixelIntegrator [AA], controlled by surface ids or by the
-// estimated error.
-#include "PixelIntegrator.h"
-#include "Surface.h"
+#include "SubdivisionIntegrator.h"
 
-#include "PixelErrors.h"
+#include "Pixels/CoverageConstants.h"
+#include "Pixels/PixelErrors.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace penumbra
 {
@@ -23,27 +19,33 @@ constexpr double CenterWeight = 2.0 / 3.0;
 
 }
 
-const Sample& PixelIntegrator::GetGridSample(glm::ivec2 fine)
+SubdivisionIntegrator::SubdivisionIntegrator(PixelContext& pixel, const PixelEdges& edges)
+  : Pixel(pixel),
+    Edges(edges)
+{
+}
+
+const Sample& SubdivisionIntegrator::GetGridSample(glm::ivec2 fine)
 {
   if (const Sample* cached = this->Cache.Find(fine))
   {
     return *cached;
   }
   // The coarsest level at which this position is a corner. It is independent of the current pixel.
-  int level = this->Settings.MaximumLevel;
+  int level = this->Pixel.Settings.MaximumLevel;
   for (glm::ivec2 p = fine; level > 1 && (p.x | p.y) % 2 == 0; p /= 2)
   {
     --level;
   }
   const double area = CenterWeight * std::ldexp(1.0, -2 * (level - 1));
-  const double scale = std::ldexp(1.0, -this->Settings.MaximumLevel);
-  ++this->Rays.Refinement;
+  const double scale = std::ldexp(1.0, -this->Pixel.Settings.MaximumLevel);
+  ++this->Pixel.Rays.Refinement;
   return this->Cache.Insert(fine,
-    this->Tracer.TraceSample(glm::dvec2(fine) * scale, this->Rays, ComputeToleranceScale(area),
-      this->Grid.GetPenumbrae(glm::dvec2(fine) * scale)));
+    this->Pixel.Tracer.TraceSample(glm::dvec2(fine) * scale, this->Pixel.Rays,
+      ComputeToleranceScale(area), this->Pixel.Grid.GetPenumbrae(glm::dvec2(fine) * scale)));
 }
 
-bool PixelIntegrator::NeedsSubdivision(const Square& square) const
+bool SubdivisionIntegrator::NeedsSubdivision(const Square& square) const
 {
   for (int i = 1; i < 4; ++i)
   {
@@ -53,10 +55,10 @@ bool PixelIntegrator::NeedsSubdivision(const Square& square) const
     }
   }
   // Case 4: an edge inside, although the corners agree.
-  const double scale = std::ldexp(1.0, -this->Settings.MaximumLevel);
-  const glm::dvec2 low = glm::dvec2(square.Low) * scale - glm::dvec2(this->X, this->Y);
+  const double scale = std::ldexp(1.0, -this->Pixel.Settings.MaximumLevel);
+  const glm::dvec2 low = glm::dvec2(square.Low) * scale - this->Pixel.GetOrigin();
   const double side = std::ldexp(1.0, -square.Level);
-  for (const PixelSegment& segment : this->Segments)
+  for (const PixelSegment& segment : this->Edges.Segments)
   {
     PixelSegment inside{ (segment.A - low) / side, (segment.B - low) / side };
     if (ClipToPixel(inside))
@@ -67,19 +69,20 @@ bool PixelIntegrator::NeedsSubdivision(const Square& square) const
   return false;
 }
 
-void PixelIntegrator::Subdivide(
+void SubdivisionIntegrator::Subdivide(
   const Square& square, bool byObject, glm::vec4& color, float& squaredError)
 {
   const float area = std::ldexp(1.f, -2 * square.Level);
   const glm::vec4 mean = ComputeMean(square.Corners);
-  if (square.Level >= this->Settings.MaximumLevel || (byObject && !this->NeedsSubdivision(square)))
+  if (square.Level >= this->Pixel.Settings.MaximumLevel ||
+    (byObject && !this->NeedsSubdivision(square)))
   {
     color += area * mean;
     const float error = area * ContrastError * ComputeContrast(square.Corners);
     squaredError += error * error;
     return;
   }
-  const int half = 1 << (this->Settings.MaximumLevel - square.Level - 1);
+  const int half = 1 << (this->Pixel.Settings.MaximumLevel - square.Level - 1);
   Sample nodes[9];
   for (const int i : { 0, 2, 6, 8 })
   {
@@ -92,9 +95,9 @@ void PixelIntegrator::Subdivide(
     // For quadratic colors, the errors of the mean of the corners and of the center have the ratio
     // 2 : -1, so their weighted mean is exact.
     const float deviation = area * ComputeMaximumDifference(nodes[4].Color, mean);
-    const float noise = area * 2.f * static_cast<float>(this->Noise);
-    const bool doubtful = square.Level == 0 && this->IsNearShadowBoundary();
-    if (!doubtful && deviation <= static_cast<float>(this->Settings.Tolerance) + noise)
+    const float noise = area * 2.f * static_cast<float>(this->Pixel.Noise);
+    const bool doubtful = square.Level == 0 && this->Pixel.IsNearShadowBoundary();
+    if (!doubtful && deviation <= static_cast<float>(this->Pixel.Settings.Tolerance) + noise)
     {
       color += area / 3.f * (mean + 2.f * nodes[4].Color);
       squaredError += ResidualErrorFraction * ResidualErrorFraction * deviation * deviation;
@@ -120,24 +123,26 @@ void PixelIntegrator::Subdivide(
   }
 }
 
-PixelResult PixelIntegrator::IntegrateSubdivided(bool byObject)
+PixelResult SubdivisionIntegrator::Integrate(bool byObject)
 {
   Square whole;
-  whole.Low = glm::ivec2(this->X, this->Y) << this->Settings.MaximumLevel;
+  whole.Low = this->Pixel.Position << this->Pixel.Settings.MaximumLevel;
   whole.Level = 0;
-  std::copy(this->Corners, this->Corners + 4, whole.Corners);
+  std::copy(this->Pixel.Corners, this->Pixel.Corners + 4, whole.Corners);
   if (byObject && !this->NeedsSubdivision(whole))
   {
-    ++(this->Corners[0].FirstHit.IsHit() ? this->Pixels.Interior : this->Pixels.Empty);
+    ++(this->Pixel.Corners[0].FirstHit.IsHit() ? this->Pixel.Pixels.Interior
+                                               : this->Pixel.Pixels.Empty);
   }
   else
   {
-    ++(byObject && this->CornersAgree() ? this->Pixels.SmallObject : this->Pixels.Refined);
+    ++(byObject && this->Pixel.CornersAgree() ? this->Pixel.Pixels.SmallObject
+                                              : this->Pixel.Pixels.Refined);
   }
   PixelResult result;
   float squares = 0.f;
   this->Subdivide(whole, byObject, result.Color, squares);
-  this->SetErrors(std::sqrt(squares), ErrorFloor, result);
+  this->Pixel.SetErrors(std::sqrt(squares), ErrorFloor, result);
   return result;
 }
 

@@ -5,7 +5,7 @@
 #ifndef penumbra_TileRefinement_h
 #define penumbra_TileRefinement_h
 
-#include "PixelIntegrator.h"
+#include "PixelSampler.h"
 
 #include <vector>
 
@@ -18,8 +18,8 @@ namespace penumbra
  * of samples is reached. `squaredError` is the sum of the squared estimated errors of the other
  * pixels of the tile. Returns false if the limit of the integration ended the refinement.
  */
-bool RefineTile(PixelIntegrator& integrator, const std::vector<SampledPixel*>& pixels, int count,
-  double squaredError);
+bool RefineTile(
+  PixelSampler& sampler, const std::vector<SampledPixel*>& pixels, int count, double squaredError);
 
 }
 #endif

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Uniform sampling of pixels in PixelIntegrator.
-#include "PixelIntegrator.h"
+#include "UniformSampling.h"
 
-#include "PixelErrors.h"
+#include "Pixels/CoverageConstants.h"
+#include "Pixels/PixelErrors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,12 +85,13 @@ float EstimateGridError(const std::vector<glm::vec4>& colors, int side)
 
 }
 
-PixelResult PixelIntegrator::IntegrateUniform(int side)
+PixelResult SampleUniformly(PixelContext& pixel)
 {
+  const int side = pixel.Settings.UniformSamples;
   PixelResult result;
   glm::dvec4 sum(0.0);
   const int total = side * side;
-  this->Colors.resize(total);
+  std::vector<glm::vec4> colors(total);
   glm::dvec2 points[CameraRayTracer::PacketSize];
   Sample samples[CameraRayTracer::PacketSize];
   for (int first = 0; first < total; first += CameraRayTracer::PacketSize)
@@ -101,19 +101,20 @@ PixelResult PixelIntegrator::IntegrateUniform(int side)
     {
       const int k = std::min(first + i, total - 1);
       const int row = k / side;
-      points[i] = glm::dvec2(this->X + (k % side + 0.5) / side, this->Y + (row + 0.5) / side);
+      points[i] = glm::dvec2(
+        pixel.Position.x + (k % side + 0.5) / side, pixel.Position.y + (row + 0.5) / side);
     }
-    this->Tracer.TracePacket(
-      points, (1u << count) - 1u, samples, this->Rays, ComputeToleranceScale(1.0 / total));
+    pixel.Tracer.TracePacket(
+      points, (1u << count) - 1u, samples, pixel.Rays, ComputeToleranceScale(1.0 / total));
     for (int i = 0; i < count; ++i)
     {
-      this->Colors[first + i] = samples[i].Color;
+      colors[first + i] = samples[i].Color;
       sum += glm::dvec4(samples[i].Color);
     }
   }
-  this->Rays.Primary += total;
+  pixel.Rays.Primary += total;
   result.Color = glm::vec4(sum / static_cast<double>(total));
-  this->SetErrors(EstimateGridError(this->Colors, side), 0.f, result);
+  pixel.SetErrors(EstimateGridError(colors, side), 0.f, result);
   return result;
 }
 

@@ -1,10 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Sampling in PixelIntegrator without rays where surfaces are translucent: the triangles at each
-// sample of a pixel are found front to back, each is shaded once or a few times per pixel, and
-// their colors are composited per sample as along a ray.
-#include "PixelIntegrator.h"
+#include "LayerSampler.h"
 
 #include "Rasterization/ProjectedTriangle.h"
 #include "Sampling/EdgeBlending.h"
@@ -81,82 +77,16 @@ void FitGradient(
 
 }
 
-// Returns true if the pixel that was selected last is sampled by layers.
-bool PixelIntegrator::SelectLayers() const
-{
-  return this->Rasterizer && this->Rasterizer->HasLayers() && !this->Tracer.HasShafts() &&
-    !this->Tracer.UsesIrradianceProvider();
-}
-
-void PixelIntegrator::RasterizeLayers(SampledPixel& pixel, std::size_t total)
-{
-  const std::size_t before = pixel.Samples.size();
-  this->ComputePoints(pixel, before, total);
-  this->LoadBackground(pixel);
-  this->ConstantLayers.resize(this->Rasterizer->GetNumberOfTriangles());
-  pixel.Samples.resize(total);
-  pixel.LayerColors.resize(this->Rasterizer->GetNumberOfLayers());
-  this->Rasterizer->VisitLayers(
-    this->Points, [&](std::uint32_t i, const LayerCandidate* begin, const LayerCandidate* end) {
-      const glm::vec2 point(this->Points.X[i], this->Points.Y[i]);
-      pixel.Samples[before + this->Points.Indices[i]] =
-        this->CompositeLayers(pixel, point, begin, end);
-    });
-  this->Rays.Rasterized += static_cast<long long>(total - before);
-}
-
-// A background without an image is almost linear inside a pixel.
-void PixelIntegrator::LoadBackground(const SampledPixel& pixel)
-{
-  const glm::dvec2 corner(pixel.X, pixel.Y);
-  PixelLayerColor& background = this->Background;
-  background.Color = this->Tracer.GetBackground(corner);
-  background.Gradient[0] =
-    this->Tracer.GetBackground(corner + glm::dvec2(1.0, 0.0)) - background.Color;
-  background.Gradient[1] =
-    this->Tracer.GetBackground(corner + glm::dvec2(0.0, 1.0)) - background.Color;
-  background.IsConstant =
-    background.Gradient[0] == glm::vec4(0.f) && background.Gradient[1] == glm::vec4(0.f);
-}
-
-// Shades a triangle: once per tile, if its color is constant.
-void PixelIntegrator::ShadeLayer(SampledPixel& pixel, std::uint32_t layer, PixelLayerColor& color)
-{
-  const PrimitiveId id = this->Rasterizer->GetLayer(layer);
-  if (!this->Tracer.GetShading().IsConstantPerTriangle(id.Surface))
-  {
-    color.Id = id;
-    color.Of = &this->Tracer.GetScene().Surfaces[id.Surface];
-    this->ShadePartOfLayer(pixel, layer, color);
-    return;
-  }
-  PixelLayerColor& constant = this->ConstantLayers[this->Rasterizer->GetLayerTriangle(layer)];
-  if (!constant.Of)
-  {
-    constant.Id = id;
-    constant.Of = &this->Tracer.GetScene().Surfaces[id.Surface];
-    const std::array<glm::vec3, 3> points = constant.Of->GetPoints(id.Primitive);
-    const ProjectedTriangle projected(points, this->Tracer.GetCamera());
-    const LayerColor shaded = this->Tracer.ShadeLayer(
-      (projected.Points[0] + projected.Points[1] + projected.Points[2]) / 3.0, id, this->Rays);
-    constant.Color = shaded.Color;
-    constant.Slope = shaded.Slope;
-  }
-  color = constant;
-}
-
-// Shades a triangle at the center of the part of the pixel that it covers, or, if that part is large,
-// near some of its corners.
-void PixelIntegrator::ShadePartOfLayer(
-  SampledPixel& pixel, std::uint32_t layer, PixelLayerColor& color)
+void ShadePartOfLayer(PixelContext& context, const TileRasterizer& rasterizer, std::uint32_t layer,
+  SampledPixel& pixel, PixelLayerColor& color)
 {
   if (color.Of->LitTexture)
   {
     color.Texture = static_cast<std::uint32_t>(pixel.Textures.size());
     pixel.Textures.push_back(FindTexture(
-      *color.Of, color.Id.Primitive, this->Tracer.GetCamera(), glm::dvec2(pixel.X, pixel.Y)));
+      *color.Of, color.Id.Primitive, context.Tracer.GetCamera(), glm::dvec2(pixel.X, pixel.Y)));
   }
-  const LayerPolygon polygon = this->Rasterizer->ClipLayer(layer);
+  const LayerPolygon polygon = rasterizer.ClipLayer(layer);
   glm::vec2 center(0.f);
   float area = 0.f;
   for (int i = 2; i < polygon.Count; ++i)
@@ -180,8 +110,8 @@ void PixelIntegrator::ShadePartOfLayer(
       const glm::vec2 corner = polygon.Points[i * polygon.Count / ShadedPointsOfLargeArea];
       points[i] = center + CornerDistance * (corner - center);
     }
-    const LayerColor shaded = this->Tracer.ShadeLayer(
-      glm::dvec2(pixel.X, pixel.Y) + glm::dvec2(points[i]), color.Id, this->Rays);
+    const LayerColor shaded = context.Tracer.ShadeLayer(
+      glm::dvec2(pixel.X, pixel.Y) + glm::dvec2(points[i]), color.Id, context.Rays);
     colors[i] = shaded.Color;
     color.Center += part * points[i];
     color.Color += part * shaded.Color;
@@ -194,18 +124,82 @@ void PixelIntegrator::ShadePartOfLayer(
   }
 }
 
+LayerSampler::LayerSampler(PixelContext& pixel, TileRasterizer& rasterizer)
+  : Pixel(pixel),
+    Rasterizer(rasterizer)
+{
+}
+
+void LayerSampler::AddSamples(SampledPixel& pixel, std::size_t total)
+{
+  const std::size_t before = pixel.Samples.size();
+  this->Points.Compute(pixel.GetSeed(), static_cast<int>(before), static_cast<int>(total - before));
+  this->LoadBackground(pixel);
+  this->ConstantLayers.resize(this->Rasterizer.GetNumberOfTriangles());
+  pixel.Samples.resize(total);
+  pixel.LayerColors.resize(this->Rasterizer.GetNumberOfLayers());
+  this->Rasterizer.VisitLayers(
+    this->Points, [&](std::uint32_t i, const LayerCandidate* begin, const LayerCandidate* end) {
+      const glm::vec2 point(this->Points.X[i], this->Points.Y[i]);
+      pixel.Samples[before + this->Points.Indices[i]] =
+        this->CompositeLayers(pixel, point, begin, end);
+    });
+  this->Pixel.Rays.Rasterized += static_cast<long long>(total - before);
+}
+
+// A background without an image is almost linear inside a pixel.
+void LayerSampler::LoadBackground(const SampledPixel& pixel)
+{
+  const glm::dvec2 corner(pixel.X, pixel.Y);
+  PixelLayerColor& background = this->Background;
+  background.Color = this->Pixel.Tracer.GetBackground(corner);
+  background.Gradient[0] =
+    this->Pixel.Tracer.GetBackground(corner + glm::dvec2(1.0, 0.0)) - background.Color;
+  background.Gradient[1] =
+    this->Pixel.Tracer.GetBackground(corner + glm::dvec2(0.0, 1.0)) - background.Color;
+  background.IsConstant =
+    background.Gradient[0] == glm::vec4(0.f) && background.Gradient[1] == glm::vec4(0.f);
+}
+
+// Shades a triangle: once per tile, if its color is constant.
+void LayerSampler::ShadeLayer(SampledPixel& pixel, std::uint32_t layer, PixelLayerColor& color)
+{
+  const PrimitiveId id = this->Rasterizer.GetLayer(layer);
+  if (!this->Pixel.Tracer.GetShading().IsConstantPerTriangle(id.Surface))
+  {
+    color.Id = id;
+    color.Of = &this->Pixel.Tracer.GetScene().Surfaces[id.Surface];
+    ShadePartOfLayer(this->Pixel, this->Rasterizer, layer, pixel, color);
+    return;
+  }
+  PixelLayerColor& constant = this->ConstantLayers[this->Rasterizer.GetLayerTriangle(layer)];
+  if (!constant.Of)
+  {
+    constant.Id = id;
+    constant.Of = &this->Pixel.Tracer.GetScene().Surfaces[id.Surface];
+    const std::array<glm::vec3, 3> points = constant.Of->GetPoints(id.Primitive);
+    const ProjectedTriangle projected(points, this->Pixel.Tracer.GetCamera());
+    const LayerColor shaded = this->Pixel.Tracer.ShadeLayer(
+      (projected.Points[0] + projected.Points[1] + projected.Points[2]) / 3.0, id,
+      this->Pixel.Rays);
+    constant.Color = shaded.Color;
+    constant.Slope = shaded.Slope;
+  }
+  color = constant;
+}
+
 // As CameraRayTracer::CompositeLayers().
-glm::vec4 PixelIntegrator::CompositeLayers(
+glm::vec4 LayerSampler::CompositeLayers(
   SampledPixel& pixel, glm::vec2 point, const LayerCandidate* begin, const LayerCandidate* end)
 {
-  const auto origin = static_cast<float>(this->Tracer.GetCamera().DepthOfRayOrigins());
+  const auto origin = static_cast<float>(this->Pixel.Tracer.GetCamera().DepthOfRayOrigins());
   LayerOrder order;
-  EdgeBlending edges(this->Tracer.GetCamera());
+  EdgeBlending edges(this->Pixel.Tracer.GetCamera());
   glm::vec4 color(0.f);
   for (const LayerCandidate* layer = begin; layer < end; ++layer)
   {
-    if (this->Tracer.HasLayerOrder() &&
-      !this->Tracer.IsDrawn(this->Rasterizer->GetLayer(layer->Layer), order))
+    if (this->Pixel.Tracer.HasLayerOrder() &&
+      !this->Pixel.Tracer.IsDrawn(this->Rasterizer.GetLayer(layer->Layer), order))
     {
       continue;
     }
@@ -223,7 +217,7 @@ glm::vec4 PixelIntegrator::CompositeLayers(
     float opacity = c.a;
     if (edges.IsBehindEdge() || found.Of->EdgeWidth > 0.f)
     {
-      const float distance = this->Rasterizer->ComputeDepth(*layer) - origin;
+      const float distance = this->Rasterizer.ComputeDepth(*layer) - origin;
       opacity = edges.FindOpacity(*found.Of, distance, found.Slope, c.a);
     }
     const float weight = (1.f - color.a) * opacity;
@@ -236,8 +230,8 @@ glm::vec4 PixelIntegrator::CompositeLayers(
   if (color.a < 1.f)
   {
     color += (1.f - color.a) *
-      (this->Tracer.HasBackgroundImage()
-          ? this->Tracer.GetBackground(glm::dvec2(pixel.X, pixel.Y) + glm::dvec2(point))
+      (this->Pixel.Tracer.HasBackgroundImage()
+          ? this->Pixel.Tracer.GetBackground(glm::dvec2(pixel.X, pixel.Y) + glm::dvec2(point))
           : this->Background.At(point));
   }
   return color;

@@ -1,12 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Sampling in PixelIntegrator without rays: the triangles at the samples of a pixel full of edges are
-// found by comparing all samples with all triangles of the pixel. Each visible triangle is then
-// shaded at the mean position of its samples, or of a few parts if it covers much of the pixel.
-#include "PixelIntegrator.h"
+#include "RasterizedSampler.h"
 
-#include "PixelErrors.h"
+#include "Pixels/PixelErrors.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -24,36 +20,21 @@ constexpr std::uint32_t ShadedPartsOfLargeArea = 4;
 
 }
 
-bool PixelIntegrator::MayRasterize(std::size_t edges) const
+RasterizedSampler::RasterizedSampler(PixelContext& pixel, TileRasterizer& rasterizer)
+  : Pixel(pixel),
+    Rasterizer(rasterizer)
 {
-  if (!this->Rasterizer || edges < MinimumLayeredEdges)
-  {
-    return false;
-  }
-  const bool isOpaque = this->Rasterizer->SelectPixel({ this->X, this->Y });
-  const bool isFull = edges >= MinimumRasterizedEdges && this->RasterizesAll;
-  return isOpaque ? isFull : (isFull || this->Rasterizer->HasLines()) && this->SelectLayers();
 }
 
-// Computes the samples [before, total) of a pixel.
-void PixelIntegrator::ComputePoints(
-  const SampledPixel& pixel, std::size_t before, std::size_t total)
-{
-  const std::uint32_t seed = static_cast<std::uint32_t>(pixel.X) * 0x9e3779b1u ^
-    static_cast<std::uint32_t>(pixel.Y) * 0x85ebca77u;
-  this->Points.Compute(seed, static_cast<int>(before), static_cast<int>(total - before));
-}
-
-// Finds the triangles at the samples of the selected pixel and adds their colors.
-void PixelIntegrator::RasterizeSamples(SampledPixel& pixel, std::size_t total)
+void RasterizedSampler::AddSamples(SampledPixel& pixel, std::size_t total)
 {
   const std::size_t before = pixel.SampleColors.size();
-  this->ComputePoints(pixel, before, total);
-  this->Rasterizer->Rasterize(this->Points, this->Visible);
+  this->Points.Compute(pixel.GetSeed(), static_cast<int>(before), static_cast<int>(total - before));
+  this->Rasterizer.Rasterize(this->Points, this->Visible);
   this->GroupSamples();
   pixel.SampleColors.resize(total);
   const std::size_t known = pixel.TriangleColors.size();
-  for (const VisibleTriangle& triangle : this->RasterizedTriangles)
+  for (const VisibleTriangle& triangle : this->Triangles)
   {
     const std::uint32_t color = this->AddToTriangleColor(pixel, known, triangle);
     for (std::uint32_t i = triangle.First; i < triangle.First + triangle.Count; ++i)
@@ -61,15 +42,15 @@ void PixelIntegrator::RasterizeSamples(SampledPixel& pixel, std::size_t total)
       pixel.SampleColors[before + this->Points.Indices[this->Grouped[i]]] = color;
     }
   }
-  this->Rays.Rasterized += static_cast<long long>(total - before);
+  this->Pixel.Rays.Rasterized += static_cast<long long>(total - before);
 }
 
 // Groups the samples by their triangles.
-void PixelIntegrator::GroupSamples()
+void RasterizedSampler::GroupSamples()
 {
-  std::vector<VisibleTriangle>& triangles = this->RasterizedTriangles;
+  std::vector<VisibleTriangle>& triangles = this->Triangles;
   std::vector<std::uint32_t>& groups = this->Groups; // per triangle of the tile, and the background
-  const std::size_t background = this->Rasterizer->GetNumberOfTriangles();
+  const std::size_t background = this->Rasterizer.GetNumberOfTriangles();
   groups.resize(background + 1, TileRasterizer::None);
   const auto find = [&](std::uint32_t triangle) -> std::uint32_t& {
     return groups[triangle == TileRasterizer::None ? background : triangle];
@@ -106,15 +87,16 @@ void PixelIntegrator::GroupSamples()
 
 // Adds samples of a triangle to its color in this pixel. Returns the index of the color. The first
 // `knownColors` colors are of earlier samples.
-std::uint32_t PixelIntegrator::AddToTriangleColor(
+std::uint32_t RasterizedSampler::AddToTriangleColor(
   SampledPixel& pixel, std::size_t knownColors, const VisibleTriangle& triangle)
 {
   const bool isBackground = triangle.Index == TileRasterizer::None;
   const PrimitiveId id = isBackground ? PrimitiveId{ TileRasterizer::None, TileRasterizer::None }
-                                      : this->Rasterizer->GetTriangle(triangle.Index);
-  const bool isExpensive = this->Tracer.HasShafts() || this->Tracer.UsesIrradianceProvider();
-  const bool isConstant =
-    !isBackground && !isExpensive && this->Tracer.GetShading().IsConstantPerTriangle(id.Surface);
+                                      : this->Rasterizer.GetTriangle(triangle.Index);
+  const bool isExpensive =
+    this->Pixel.Tracer.HasShafts() || this->Pixel.Tracer.UsesIrradianceProvider();
+  const bool isConstant = !isBackground && !isExpensive &&
+    this->Pixel.Tracer.GetShading().IsConstantPerTriangle(id.Surface);
   const auto end = pixel.TriangleColors.begin() + static_cast<std::ptrdiff_t>(knownColors);
   auto color = std::find_if(pixel.TriangleColors.begin(), end,
     [=](const PixelTriangleColor& entry) { return entry.Id == id; });
@@ -136,7 +118,7 @@ std::uint32_t PixelIntegrator::AddToTriangleColor(
 
 // Returns the mean color of a triangle over its samples. Colors that are linear over the image are
 // exact, because they are those at mean positions.
-glm::vec4 PixelIntegrator::ShadeTriangle(
+glm::vec4 RasterizedSampler::ShadeTriangle(
   const SampledPixel& pixel, const VisibleTriangle& triangle, PrimitiveId id, bool isConstant)
 {
   const double area =
@@ -157,8 +139,8 @@ glm::vec4 PixelIntegrator::ShadeTriangle(
     const glm::dvec2 at = glm::dvec2(pixel.X, pixel.Y) + sum / static_cast<double>(last - first);
     const float weight = static_cast<float>(last - first) / static_cast<float>(triangle.Count);
     color += weight *
-      this->Tracer
-        .ShadeSample(at, triangle.Index == TileRasterizer::None ? nullptr : &id, this->Rays,
+      this->Pixel.Tracer
+        .ShadeSample(at, triangle.Index == TileRasterizer::None ? nullptr : &id, this->Pixel.Rays,
           ComputeToleranceScale(area / parts))
         .Color;
   }

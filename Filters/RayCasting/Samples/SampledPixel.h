@@ -5,6 +5,7 @@
 #ifndef penumbra_SampledPixel_h
 #define penumbra_SampledPixel_h
 
+#include "Pixels/IntegrationSettings.h"
 #include "Sampling/CameraRayTracer.h"
 #include "Shading/SurfaceColor.h"
 
@@ -19,12 +20,12 @@ namespace penumbra
 
 struct Surface;
 
-/// Color and estimated error of a pixel.
-struct PixelResult
+/// Where the samples of a pixel come from.
+enum class SampleSource
 {
-  glm::vec4 Color{ 0.f }; ///< premultiplied by alpha
-  float Error = 0.f;      ///< estimated RMS error of the three color components
-  float LightError = 0.f; ///< part of Error that light effects cause
+  Rays,
+  Triangles, ///< the nearest triangle at each sample, found without rays
+  Layers     ///< all triangles at each sample, found without rays
 };
 
 /// Values that are linear in the pixel: of the texture coordinates times the weight, and of the weight,
@@ -86,18 +87,15 @@ struct SampledPixel
 {
   int X = 0;
   int Y = 0;
-  const std::uint32_t* Edges = nullptr; ///< edges that cross the pixel
-  std::size_t NumberOfEdges = 0;
-  std::vector<glm::vec4> FaceColors; ///< per face of the arrangement; empty: no faces
-  glm::vec4 MeanOfFaces{ 0.f };      ///< sum of areas times FaceColors
-  std::vector<glm::vec4> Samples;    ///< differences to the colors of the faces
-  bool IsRasterized = false;         ///< the hits of the samples are found without rays
-  bool IsLayered = false; ///< the same at translucent surfaces; the samples are in Samples
+  SampleSource Source = SampleSource::Rays;
+  std::vector<glm::vec4> FaceColors;        ///< per face of the arrangement; empty: no faces
+  glm::vec4 MeanOfFaces{ 0.f };             ///< sum of areas times FaceColors
+  std::vector<glm::vec4> Samples;           ///< differences to the colors of the faces
   std::vector<PixelLayerColor> LayerColors; ///< per layer of a pixel of layers
   std::vector<PixelTexture> Textures;       ///< of some of them
-  /// Colors of the visible triangles of a rasterized pixel.
+  /// Colors of the visible triangles of a pixel of SampleSource::Triangles.
   std::vector<PixelTriangleColor> TriangleColors;
-  /// Index in TriangleColors of each sample of a rasterized pixel, which has no Samples.
+  /// Index in TriangleColors of each sample of such a pixel, which has no Samples.
   std::vector<std::uint32_t> SampleColors;
   long long Rays = 0;       ///< number of rays of Samples
   float Floor = 0.f;        ///< minimum estimated error of a single sample, over samples
@@ -106,9 +104,17 @@ struct SampledPixel
   double Noise = 0.0;       ///< standard error of the colors of its samples
   PixelResult Result;
 
+  /// Returns the seed of its sequence of samples.
+  std::uint32_t GetSeed() const
+  {
+    return static_cast<std::uint32_t>(this->X) * 0x9e3779b1u ^
+      static_cast<std::uint32_t>(this->Y) * 0x85ebca77u;
+  }
+
   std::size_t GetNumberOfSamples() const
   {
-    return this->IsRasterized ? this->SampleColors.size() : this->Samples.size();
+    return this->Source == SampleSource::Triangles ? this->SampleColors.size()
+                                                   : this->Samples.size();
   }
 };
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TileRefinement.h"
 
-#include "PixelErrors.h"
+#include "Pixels/CoverageConstants.h"
+#include "Pixels/PixelErrors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,9 +67,9 @@ private:
 double ComputeCost(const SampledPixel& pixel)
 {
   const double samples = std::max<double>(pixel.GetNumberOfSamples(), MinimumSamples);
-  return !pixel.Textures.empty()            ? samples / TexturedSamplesPerRay
-    : pixel.IsRasterized || pixel.IsLayered ? samples / RasterizedSamplesPerRay
-                                            : samples;
+  return !pixel.Textures.empty()         ? samples / TexturedSamplesPerRay
+    : pixel.Source != SampleSource::Rays ? samples / RasterizedSamplesPerRay
+                                         : samples;
 }
 
 struct Candidate
@@ -80,10 +81,10 @@ struct Candidate
 
 }
 
-bool RefineTile(PixelIntegrator& integrator, const std::vector<SampledPixel*>& pixels, int count,
-  double squaredError)
+bool RefineTile(
+  PixelSampler& sampler, const std::vector<SampledPixel*>& pixels, int count, double squaredError)
 {
-  const IntegrationSettings& settings = integrator.GetSettings();
+  const IntegrationSettings& settings = sampler.GetSettings();
   const double limit = Square(settings.GetTileTolerance());
   const double tileLimit = limit * count;
   const double pixelLimit = limit * Square(MaximumPixelError);
@@ -120,7 +121,7 @@ bool RefineTile(PixelIntegrator& integrator, const std::vector<SampledPixel*>& p
         {
           break;
         }
-        integrator.Refine(*candidate.Pixel);
+        sampler.Refine(*candidate.Pixel);
         sum -= (1.0 - std::exp2(-SampledErrorDecay)) * candidate.SquaredError;
         budget -= rays;
         refined = true;

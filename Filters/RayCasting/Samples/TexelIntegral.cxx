@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Exact integration of a texture over a pixel in PixelIntegrator, case 2 of [AA]: the borders of texels
-// are lines in the image, which divide the pixel into convex polygons with one texel each.
-#include "PixelIntegrator.h"
+#include "TexelIntegral.h"
 
-#include "CoverageConstants.h"
+#include "LayerSampler.h"
+#include "Pixels/CoverageConstants.h"
 #include "Scene.h"
 #include "Surface.h"
 
@@ -124,26 +122,24 @@ bool VisitParts(
 
 }
 
-// Integrates the texture of the only triangle in the selected pixel, which is opaque. Returns false if
-// this is not the case, or takes more time than samples.
-bool PixelIntegrator::IntegrateTexels(PixelResult& result)
+std::optional<PixelResult> IntegrateTexels(PixelContext& context, const TileRasterizer& rasterizer)
 {
-  if (!this->Rasterizer->IsTextured())
+  if (!rasterizer.IsTextured())
   {
-    return false;
+    return std::nullopt;
   }
   SampledPixel pixel;
-  pixel.X = this->X;
-  pixel.Y = this->Y;
+  pixel.X = context.Position.x;
+  pixel.Y = context.Position.y;
   PixelLayerColor color;
-  color.Id = this->Rasterizer->GetLayer(0);
-  color.Of = &this->Tracer.GetScene().Surfaces[color.Id.Surface];
-  this->ShadePartOfLayer(pixel, 0, color);
+  color.Id = rasterizer.GetLayer(0);
+  color.Of = &context.Tracer.GetScene().Surfaces[color.Id.Surface];
+  ShadePartOfLayer(context, rasterizer, 0, pixel, color);
   const PixelTexture& coordinates = pixel.Textures[color.Texture];
   const Texture& texture = *coordinates.Image;
   if (texture.Interpolate)
   {
-    return false;
+    return std::nullopt;
   }
   const glm::dvec2 size(texture.Width, texture.Height);
   const auto getLinear = [&](int component) {
@@ -171,12 +167,13 @@ bool PixelIntegrator::IntegrateTexels(PixelResult& result)
     });
   if (!isComplete || std::abs(covered - 1.0) > MinimumFaceArea)
   {
-    return false;
+    return std::nullopt;
   }
-  ++this->Pixels.Interior;
+  ++context.Pixels.Interior;
+  PixelResult result;
   result.Color = glm::vec4(glm::vec3(sum), 1.f);
-  this->SetErrors(0.f, ErrorFloor, result);
-  return true;
+  context.SetErrors(0.f, ErrorFloor, result);
+  return result;
 }
 
 }

@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ExactIntegrator.h"
+
+#include "Pixels/CoverageConstants.h"
+#include "Pixels/PixelErrors.h"
+#include "Scene.h"
+#include "Surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+
+ExactIntegrator::ExactIntegrator(PixelContext& pixel, PixelEdges& edges, const TileGeometry& tile)
+  : Pixel(pixel),
+    Edges(edges),
+    Tile(tile)
+{
+}
+
+void ExactIntegrator::UpdateMaximumFaceDepth(const Sample& sample)
+{
+  if (this->Edges.HasHiddenEdges())
+  {
+    this->MaximumFaceDepth =
+      std::max(this->MaximumFaceDepth, this->Edges.MaximumOpaqueDepth(sample));
+  }
+}
+
+// Returns true if there is an edge between two hits in one face.
+bool ExactIntegrator::AreDisconnected(const Hit& a, const Hit& b) const
+{
+  if (a.Surface != b.Surface || !a.IsHit() || a.Primitive == b.Primitive)
+  {
+    return a.Surface != b.Surface;
+  }
+  return this->Pixel.Tracer.GetShading().IsConstantPerTriangle(a.Surface) &&
+    !HaveCommonEdge(this->Pixel.GetScene(), { a.Surface, a.Primitive }, { b.Surface, b.Primitive });
+}
+
+// Finds triangles that no corner ray hit, in pixels in which surfaces may intersect.
+void ExactIntegrator::ProbeLargeTrapezoids()
+{
+  for (const PixelArrangement::Trapezoid& t : this->Arrangement.GetTrapezoids())
+  {
+    if (t.Area() < MinimumTrapezoidArea)
+    {
+      continue;
+    }
+    for (const glm::dvec2 at : { glm::dvec2(0.2, 0.2), glm::dvec2(0.8, 0.2), glm::dvec2(0.5, 0.8) })
+    {
+      this->ProbeAt(t.At(at.x, at.y));
+    }
+  }
+}
+
+Hit ExactIntegrator::ProbeAt(glm::dvec2 local)
+{
+  const Hit hit = this->Pixel.Tracer.TraceFirstHit(this->Pixel.GetOrigin() + local);
+  ++this->Pixel.Rays.Refinement;
+  this->Edges.AddPrimitive(hit);
+  return hit;
+}
+
+// Finds triangles that no corner ray hit, in pixels in which surfaces are known to intersect. If
+// two triangles intersect within a face, rays at its extreme points hit different triangles. Faces
+// whose hits are disconnected are marked as discontinuous.
+void ExactIntegrator::ProbeTrapezoids()
+{
+  std::vector<FaceProbe>& probes = this->FaceProbes;
+  probes.assign(this->Arrangement.GetFaces().size(), FaceProbe());
+  for (const PixelArrangement::Trapezoid& t : this->Arrangement.GetTrapezoids())
+  {
+    for (int corner = 0; corner < 4 && t.Area() > MinimumFaceArea; ++corner)
+    {
+      const glm::dvec2 at = ProbeInset + (1.0 - 2.0 * ProbeInset) * GetCornerOffset(corner);
+      probes[t.Face].Add(t.At(at.x, at.y));
+    }
+  }
+  for (std::size_t i = 0; i < probes.size(); ++i)
+  {
+    if (this->Arrangement.GetFaces()[i].Area < MinimumProbedFaceArea)
+    {
+      continue;
+    }
+    const glm::dvec2* const begin = probes[i].ExtremePoints;
+    const Hit first = this->ProbeAt(*begin);
+    for (int side = 1; side < FaceProbe::Sides; ++side)
+    {
+      const glm::dvec2* const at = begin + side;
+      if (std::find(begin, at, *at) == at)
+      {
+        const Hit hit = this->ProbeAt(*at);
+        probes[i].IsDiscontinuous = probes[i].IsDiscontinuous || this->AreDisconnected(first, hit);
+      }
+    }
+  }
+}
+
+void ExactIntegrator::FaceProbe::Add(glm::dvec2 point)
+{
+  // Counterclockwise, starting at the left.
+  static const glm::dvec2 Directions[Sides] = { { -1.0, 0.0 }, { -1.0, -1.0 }, { 0.0, -1.0 },
+    { 1.0, -1.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 }, { -1.0, 1.0 } };
+  for (int side = 0; side < Sides; ++side)
+  {
+    if (this->IsEmpty || glm::dot(point - this->ExtremePoints[side], Directions[side]) > 0.0)
+    {
+      this->ExtremePoints[side] = point;
+    }
+  }
+  this->IsEmpty = false;
+}
+
+// Returns true if the color is constant over the face that contains the sample. A medium makes it
+// vary.
+bool ExactIntegrator::IsConstant(const Sample& sample) const
+{
+  return !this->Pixel.Tracer.HasShafts() && this->IsConstantBehindMedium(sample);
+}
+
+bool ExactIntegrator::IsConstantBehindMedium(const Sample& sample) const
+{
+  return !sample.FirstHit.IsHit() ||
+    (!this->Pixel.Tracer.HasTranslucentSurfaces() && !this->Pixel.Tracer.UsesIrradianceProvider() &&
+      this->Pixel.Tracer.GetShading().IsConstantPerTriangle(sample.FirstHit.Surface));
+}
+
+PixelResult ExactIntegrator::ComputeFaceColor(std::size_t index)
+{
+  const PixelArrangement::Face face = this->Arrangement.GetFaces()[index];
+  const unsigned int inside = face.Corners & this->Pixel.TrustedCorners;
+  if (!this->FaceProbes.empty() && this->FaceProbes[index].IsDiscontinuous)
+  {
+    return this->SplitFace(index);
+  }
+  PixelResult result;
+  const Sample* reference = nullptr;
+  bool agree = true;
+  for (int i = 0; i < 4; ++i)
+  {
+    if ((inside >> i & 1u) && !this->Edges.MayIntersect && this->IsConstant(this->Pixel.Corners[i]))
+    {
+      const Sample& corner = this->Pixel.Corners[i];
+      agree = agree &&
+        (!reference ||
+          (reference->FirstHit.Surface == corner.FirstHit.Surface &&
+            ComputeMaximumDifference(reference->Color, corner.Color) <=
+              this->Pixel.Settings.Tolerance));
+      reference = reference ? reference : &corner;
+    }
+  }
+  if (reference && !agree)
+  {
+    return this->SplitFace(index);
+  }
+  if (reference)
+  {
+    this->UpdateMaximumFaceDepth(*reference);
+    result.Color = reference->FirstHit.IsHit()
+      ? reference->Color
+      : this->Pixel.Tracer.GetBackground(this->Pixel.GetOrigin() + face.Point);
+    return result;
+  }
+  const Sample sample = this->Pixel.Trace(face.Point, face.Area);
+  this->UpdateMaximumFaceDepth(sample);
+  this->Edges.AddPrimitive(sample.FirstHit);
+  this->Pixel.ShowsUnsteadyTriangle = this->Pixel.ShowsUnsteadyTriangle ||
+    this->Tile.IsUnsteady(this->Pixel.GetScene(), sample.FirstHit);
+  result.Color = sample.Color;
+  if (inside == 0u && this->IsConstantBehindMedium(sample))
+  {
+    return result;
+  }
+  // The face is one surface, so the differences between its corners and the sample estimate the
+  // variation of the color. A face without corners is assumed to vary by UnknownVariation.
+  const bool unknown = !inside || this->Pixel.IsNearShadowBoundary();
+  const float variation =
+    std::max(unknown ? UnknownVariation : 0.f, this->Pixel.ComputeVariation(inside, sample));
+  const float area = static_cast<float>(face.Area);
+  const float limit = static_cast<float>(this->Pixel.Settings.Tolerance + 2.0 * this->Pixel.Noise);
+  // Occlusion and light shafts are expensive and rarely discontinuous. With them, a face is not
+  // split because of an assumed variation.
+  const bool isExpensive =
+    this->Pixel.Tracer.UsesIrradianceProvider() || this->Pixel.Tracer.HasShafts();
+  const bool skipSplit = unknown && isExpensive && variation <= UnknownVariation;
+  if (variation * area > limit && !skipSplit)
+  {
+    return this->SplitFace(index);
+  }
+  result.Error = ResidualErrorFraction * variation;
+  return result;
+}
+
+// Subdivides the trapezoids of a face until their samples agree. Used if the color varies
+// nonlinearly or is discontinuous within the face, or if surfaces intersect there.
+PixelResult ExactIntegrator::SplitFace(std::size_t index)
+{
+  PixelResult result;
+  float area = 0.f;
+  float squares = 0.f;
+  this->Arrangement.VisitTrapezoids(index, [&](const PixelArrangement::Trapezoid& t) {
+    if (t.Area() > MinimumFaceArea)
+    {
+      const Sample center = this->Pixel.Trace(t.Centroid(), t.Area());
+      this->SplitTrapezoid(t, { 0.0, 0.0 }, 1.0, center, result.Color, squares);
+      area += static_cast<float>(t.Area());
+    }
+  });
+  if (!(area > 0.f))
+  {
+    // All trapezoids are too small. One ray represents them.
+    result.Color = this->Pixel.Trace(this->Arrangement.GetFaces()[index].Point).Color;
+    return result;
+  }
+  result.Color /= area;
+  result.Error = std::sqrt(squares) / area;
+  return result;
+}
+
+void ExactIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::dvec2 low,
+  double side, const Sample& center, glm::vec4& color, float& squaredError)
+{
+  this->UpdateMaximumFaceDepth(center);
+  const double height = 0.5 * (t.Top0 + t.Top1 - t.Bottom0 - t.Bottom1);
+  const double slope = (t.Top1 - t.Bottom1) - (t.Top0 - t.Bottom0);
+  const auto computeArea = [&](double u, double s) {
+    return (t.X1 - t.X0) * s * s * (height + slope * (u + 0.5 * s - 0.5));
+  };
+  const float area = static_cast<float>(computeArea(low.x, side));
+  if (area * UnknownVariation < this->Pixel.Settings.Tolerance ||
+    side < std::ldexp(1.5, -this->Pixel.Settings.MaximumLevel))
+  {
+    color += area * center.Color;
+    const float error = ResidualErrorFraction * area * UnknownVariation;
+    squaredError += error * error;
+    return;
+  }
+  const double half = 0.5 * side;
+  Sample quarters[4];
+  glm::vec4 sum(0.f);
+  bool disconnected = false;
+  for (int i = 0; i < 4; ++i)
+  {
+    const glm::dvec2 at = low + half * GetCornerOffset(i);
+    quarters[i] = this->Pixel.Trace(t.At(at.x + 0.5 * half, at.y + 0.5 * half), 0.25 * area);
+    sum += static_cast<float>(computeArea(at.x, half)) * quarters[i].Color;
+    disconnected = disconnected || quarters[i].FirstHit.Surface != center.FirstHit.Surface;
+  }
+  const float deviation = ComputeMaximumDifference(sum, area * center.Color);
+  if (!disconnected && deviation < this->Pixel.Settings.Tolerance + 2.0 * area * this->Pixel.Noise)
+  {
+    color += sum;
+    squaredError += ResidualErrorFraction * ResidualErrorFraction * deviation * deviation;
+    return;
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    this->SplitTrapezoid(
+      t, low + half * GetCornerOffset(i), half, quarters[i], color, squaredError);
+  }
+}
+
+std::optional<PixelResult> ExactIntegrator::Integrate()
+{
+  long long& pixelCount =
+    this->Pixel.CornersAgree() ? this->Pixel.Pixels.SmallObject : this->Pixel.Pixels.Edge;
+  this->Edges.FindNearbyIntersections();
+  int probePasses = 0;
+  // The pixel is sampled as soon as the arrangement costs more than samples of the same accuracy.
+  const long long sampleBudget = ComputeMaximumSamples(this->Pixel.Settings.Tolerance);
+  const long long maximumRays = this->Pixel.Rays.Refinement + sampleBudget;
+  const PixelArrangement::Limits limits{ static_cast<std::size_t>(sampleBudget),
+    static_cast<std::size_t>(sampleBudget) * TrapezoidsPerRay };
+  for (;;)
+  {
+    // Intersections of tubes are not computed.
+    if (this->Edges.IsTubeIntersected ||
+      !this->Arrangement.Build(
+        this->Edges.Segments.data(), static_cast<int>(this->Edges.Segments.size()), limits))
+    {
+      return std::nullopt;
+    }
+    this->FaceProbes.clear();
+    if (this->Edges.MayIntersect &&
+      probePasses < (this->Edges.SearchesAllPixels ? MaximumProbePasses : 1))
+    {
+      ++probePasses;
+      this->Edges.SearchesAllPixels ? this->ProbeTrapezoids() : this->ProbeLargeTrapezoids();
+      if (this->Edges.AddIntersections())
+      {
+        continue;
+      }
+    }
+    this->MaximumFaceDepth = 0.0;
+    PixelResult result;
+    double covered = 0.0;
+    float squares = 0.f;
+    const std::size_t faces = this->Arrangement.GetFaces().size();
+    for (std::size_t i = 0; i < faces; ++i)
+    {
+      const double area = this->Arrangement.GetFaces()[i].Area;
+      if (area < MinimumFaceArea)
+      {
+        continue;
+      }
+      if (this->Pixel.Rays.Refinement > maximumRays)
+      {
+        return std::nullopt;
+      }
+      const PixelResult face = this->ComputeFaceColor(i);
+      if (this->Pixel.ShowsUnsteadyTriangle)
+      {
+        return std::nullopt;
+      }
+      const float weight = static_cast<float>(area);
+      result.Color += weight * face.Color;
+      squares += weight * face.Error * weight * face.Error;
+      covered += area;
+    }
+    if (this->Edges.UncoversHiddenEdge(this->MaximumFaceDepth))
+    {
+      this->Edges.Load(false);
+      this->Edges.AddIntersectionsAgain();
+      continue;
+    }
+    if (this->Edges.AddIntersections() || this->Edges.IsTubeIntersected)
+    {
+      continue;
+    }
+    ++pixelCount;
+    result.Color /= static_cast<float>(covered);
+    this->Pixel.SetErrors(std::sqrt(squares), EdgeErrorFloor, result);
+    return result;
+  }
+}
+
+}

@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PixelEdges.h"
+
+#include "CoverageConstants.h"
+#include "PixelErrors.h"
+#include "Scene.h"
+#include "Surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace penumbra
+{
+
+namespace
+{
+
+/// Returns the distance of p to the segment from a to b.
+double ComputeDistanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b)
+{
+  const glm::dvec2 d = b - a;
+  const double square = glm::dot(d, d);
+  const double u = square > 0.0 ? glm::clamp(glm::dot(p - a, d) / square, 0.0, 1.0) : 0.0;
+  return glm::distance(p, a + u * d);
+}
+
+}
+
+PixelEdges::PixelEdges(PixelContext& pixel, const TileGeometry& tile)
+  : Pixel(pixel),
+    Tile(tile)
+{
+}
+
+void PixelEdges::Begin()
+{
+  this->List = this->Tile.GetEdges(this->Pixel.Position);
+  this->Segments.clear();
+  this->VisiblePrimitives.clear();
+  this->PairsTested = 0;
+  this->MayIntersect = false;
+  this->IsTubeIntersected = false;
+}
+
+double PixelEdges::MaximumOpaqueDepth(const Sample& sample) const
+{
+  if (!(sample.OpaqueDepth < std::numeric_limits<float>::infinity()))
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  if (sample.OpaqueDepth != sample.FirstHit.Distance)
+  {
+    return sample.OpaqueDepth +
+      this->Pixel.GetScene().ViewCamera.DepthOfRayOrigins(); // behind something translucent
+  }
+  return MaximumDepthInPixel(this->Pixel.GetScene(),
+    { sample.FirstHit.Surface, sample.FirstHit.Primitive }, this->Pixel.GetOrigin());
+}
+
+// Returns the smallest depth that is behind `depth` in spite of rounding.
+double PixelEdges::ComputeDepthBehind(double depth) const
+{
+  return depth +
+    RelativeDepthTolerance *
+    std::abs(depth - this->Pixel.GetScene().ViewCamera.DepthOfRayOrigins());
+}
+
+void PixelEdges::Load(bool cull)
+{
+  this->Segments.clear();
+  this->NearestCulledDepth = std::numeric_limits<double>::infinity();
+
+  // An edge behind the opaque surfaces at all four corners is hidden, unless an edge in front of it
+  // uncovers it. The exact integrator therefore loads the segments again without culling when a face is
+  // deeper. In a valley the edge at the bottom is deeper than the corners, but not deeper than the
+  // planes of the triangles that meet there. The limit is the maximum depth of these planes.
+  double limit = std::numeric_limits<double>::infinity();
+  if (cull && this->List.Count > 0)
+  {
+    limit = 0.0;
+    for (const Sample& corner : this->Pixel.Corners)
+    {
+      limit = std::max(limit, this->MaximumOpaqueDepth(corner));
+    }
+    limit = this->ComputeDepthBehind(limit);
+  }
+
+  const bool parallel = this->Pixel.GetScene().ViewCamera.Parallel;
+  const glm::dvec2 origin = this->Pixel.GetOrigin();
+  for (std::size_t i = 0; i < this->List.Count; ++i)
+  {
+    const ProjectedEdge& edge = this->Tile.Edges[this->List.Edges[i]];
+    PixelSegment segment{ edge.A - origin, edge.B - origin };
+    const glm::dvec2 a = segment.A;
+    const glm::dvec2 d = segment.B - a;
+    const bool inside = ClipToPixel(segment);
+    if (inside && limit < std::numeric_limits<double>::infinity())
+    {
+      const double square = glm::dot(d, d);
+      const double slope = edge.DepthB - edge.DepthA;
+      const double u = edge.DepthA + slope * (glm::dot(segment.A - a, d) / square);
+      const double v = edge.DepthA + slope * (glm::dot(segment.B - a, d) / square);
+      const double depth = parallel ? std::min(u, v) : 1.0 / std::max(u, v);
+      if (depth > limit)
+      {
+        this->NearestCulledDepth = std::min(this->NearestCulledDepth, depth);
+        this->AddHiddenShape(edge, depth, limit);
+        continue;
+      }
+    }
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      if (ComputeDistanceToSegment(GetCornerOffset(corner), a, a + d) < EdgePrecision)
+      {
+        this->Pixel.TrustedCorners &= ~(1u << corner);
+      }
+    }
+    if (inside)
+    {
+      this->Segments.push_back(segment);
+    }
+  }
+}
+
+// A sphere or tube whose outline is hidden may emerge from the surface in front of it.
+void PixelEdges::AddHiddenShape(const ProjectedEdge& edge, double depth, double limit)
+{
+  if (!edge.IsRound())
+  {
+    return;
+  }
+  const RoundShape shape =
+    this->Pixel.GetScene().Surfaces[edge.RoundSurface].GetRoundShape(edge.RoundPrimitive);
+  if (depth - 2.0 * std::max(shape.RadiusA, shape.RadiusB) <= limit)
+  {
+    this->AddPrimitive(PrimitiveId{ edge.RoundSurface, edge.RoundPrimitive });
+  }
+}
+
+void PixelEdges::AddPrimitive(const Hit& hit)
+{
+  if (hit.IsHit())
+  {
+    this->AddPrimitive(PrimitiveId{ hit.Surface, hit.Primitive });
+  }
+}
+
+void PixelEdges::AddPrimitive(PrimitiveId id)
+{
+  if (this->VisiblePrimitives.size() < MaximumTriangles &&
+    std::find(this->VisiblePrimitives.begin(), this->VisiblePrimitives.end(), id) ==
+      this->VisiblePrimitives.end())
+  {
+    this->VisiblePrimitives.push_back(id);
+  }
+}
+
+bool PixelEdges::AddIntersections()
+{
+  const std::size_t before = this->Segments.size();
+  const glm::dvec2 origin = this->Pixel.GetOrigin();
+  const Scene& scene = this->Pixel.GetScene();
+  bool found = false;
+  for (std::size_t i = this->PairsTested; i < this->VisiblePrimitives.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const PrimitiveId a = this->VisiblePrimitives[i];
+      const PrimitiveId b = this->VisiblePrimitives[j];
+      PixelSegment segment;
+      if (scene.Surfaces[a.Surface].IsRound() || scene.Surfaces[b.Surface].IsRound())
+      {
+        IntersectSphere(scene, a, b, origin, this->Segments);
+        this->IsTubeIntersected = this->IsTubeIntersected || MayIntersectTube(scene, a, b, origin);
+      }
+      else if (IntersectTriangles(scene, a, b, origin, segment))
+      {
+        this->Segments.push_back(segment);
+        found = true;
+      }
+    }
+  }
+  this->PairsTested = this->VisiblePrimitives.size();
+  this->MayIntersect = this->MayIntersect || found;
+  this->HasFoundIntersection = this->HasFoundIntersection || found;
+  return this->Segments.size() > before;
+}
+
+void PixelEdges::FindNearbyIntersections()
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  double farthest = 0.0;
+  for (const Sample& corner : this->Pixel.Corners)
+  {
+    this->AddPrimitive(corner.FirstHit);
+    nearest = std::min(nearest, static_cast<double>(corner.OpaqueDepth));
+    farthest = std::max(farthest, static_cast<double>(corner.OpaqueDepth));
+  }
+  // Two surfaces at similar depths may intersect even if the triangles at the corners do not.
+  const Camera& camera = this->Pixel.GetScene().ViewCamera;
+  const double footprint =
+    camera.PixelSize * (camera.Parallel ? 1.0 : nearest + camera.DepthOfRayOrigins());
+  this->MayIntersect = this->SearchesAllPixels ||
+    (!this->Pixel.CornersAgree() && farthest - nearest < TouchingDepth * footprint);
+  if (!this->AddIntersections() && !this->MayIntersect)
+  {
+    return;
+  }
+  this->Pixel.AnyNeighborCorner([this](const Sample& neighbor) {
+    this->AddPrimitive(neighbor.FirstHit);
+    return false;
+  });
+  this->AddIntersections();
+}
+
+}

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TileGeometry.h"
+
+#include "CoverageConstants.h"
+#include "Edges/UnsteadyNormals.h"
+#include "Scene.h"
+#include "Surface.h"
+
+namespace penumbra
+{
+
+TileGeometry::TileGeometry(const TileEdges& edges, glm::ivec2 origin, int side,
+  TileRasterizer* rasterizer, const SurfaceFlags& flags)
+  : Edges(edges.All),
+    Rasterizer(rasterizer),
+    AreEdgesLeftOut(edges.AreLeftOut),
+    Origin(origin),
+    Side(side),
+    Flags(flags)
+{
+  BinEdges(
+    edges.All, edges.Indices, edges.Count, glm::dvec2(origin), 1.0, glm::ivec2(side), this->Lists);
+  const std::size_t area = static_cast<std::size_t>(side) * side;
+  const std::size_t count = this->Lists.Edges.size();
+  this->IsCrowded = count > CrowdedEdgesPerPixel * area;
+  this->RasterizesAll = rasterizer && count > RasterizedEdgesPerPixel * area;
+}
+
+bool TileGeometry::IsUnsteady(const Scene& scene, const Hit& hit) const
+{
+  if (!hit.IsHit() || this->Flags.Unsteady.empty() || !this->Flags.Unsteady[hit.Surface])
+  {
+    return false;
+  }
+  const Surface& surface = scene.Surfaces[hit.Surface];
+  return HasUnsteadyNormal(surface, surface.GetStoredTriangle(hit.Primitive));
+}
+
+}
