@@ -3,6 +3,7 @@
 #include "Benchmark.h"
 #include "FrameTimes.h"
 #include "Processes/MallocSettings.h"
+#include "vtkPenumbraOcclusionConstants.h"
 
 #include "vtkCamera.h"
 
@@ -68,7 +69,7 @@ void MeasureFrames(OcclusionBenchmark& benchmark, const std::function<OcclusionT
   Variant vtk256(scene());
   for (Variant* ours : { &horizon, &march, &still })
   {
-    ours->View->UsePenumbraPass(radius)->SetFirstSamples(8);
+    ours->View->UsePenumbraPass(radius)->GetConstants().FirstSamples = 8;
     ours->View->Ours->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
     ours->View->Ours->SetKernelName(ours == &horizon ? "horizon" : "march");
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmark.h"
 #include "BytesInUse.h"
+#include "vtkPenumbraOcclusionConstants.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -55,7 +56,7 @@ void MeasureMemory(OcclusionBenchmark& benchmark)
         {
           auto* pass = vtkPenumbraTemporalSSAOPass::AddTo(scene.Renderer);
           pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
-          pass->SetMargin(margin);
+          pass->GetConstants().Margin = margin;
         }
       },
       [&]() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmark.h"
 #include "Reprojection.h"
+#include "vtkPenumbraOcclusionConstants.h"
 
 #include "vtkCamera.h"
 
@@ -135,8 +136,8 @@ void MeasureNoise(OcclusionBenchmark& benchmark)
       WriteImage(path + "-jumped.png", after4);
     }
     const std::vector<float> jumpedLimit = Limit(screen);
-    const float fresh = (static_cast<float>(screen.Ours->GetFirstSamples()) + .5f) /
-      static_cast<float>(screen.Ours->GetMaximumWeight());
+    const float fresh = (static_cast<float>(screen.Ours->GetConstants().FirstSamples) + .5f) /
+      static_cast<float>(screen.Ours->GetConstants().MaximumWeight);
     const auto disoccluded = [&](std::size_t i) { return convergence[i] <= fresh; };
     benchmark.Judge(scene.Name, "disoccluded pixels after 1 frame, against their limit",
       Difference(after1, jumpedLimit, jumpedDepth, disoccluded), 1.5 * movingError,

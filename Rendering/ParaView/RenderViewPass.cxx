@@ -62,7 +62,6 @@ vtkRenderPass* RenderViewPass::ConnectEffects(vtkRenderPass* delegate, bool opaq
   if (this->UseOcclusion)
   {
     this->Occlusion->SetOpaqueOnly(opaqueOnly);
-    this->Occlusion->SetDelegateOnce(!opaqueOnly); // Images are composited only once.
     this->Occlusion->SetDelegatePass(pass);
     pass = this->Occlusion;
   }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraRenderView.h"
+#include "vtkPenumbraOcclusionConstants.h"
 
 #include "RenderViewPass.h"
 
@@ -168,7 +169,7 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   occlusion->SetTolerance(this->PenumbraTolerance);
   occlusion->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::WORLD);
   occlusion->SetRadius(this->OcclusionRadius * diagonal);
-  occlusion->SetMargin(0.0); // Composited images have no margin either.
+  occlusion->GetConstants().Margin = 0.0; // Composited images have no margin either.
   occlusion->SetStrength(this->OcclusionStrength);
   occlusion->SetKernelName(this->OcclusionKernel.c_str());
   occlusion->SetConvergeInOneRender(

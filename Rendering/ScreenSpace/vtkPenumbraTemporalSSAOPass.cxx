@@ -10,6 +10,7 @@
 #include "Occlusion/OcclusionViewState.h"
 #include "vtkPenumbraKernelEstimator.h"
 #include "vtkPenumbraKernels.h"
+#include "vtkPenumbraOcclusionConstants.h"
 #include "vtkPenumbraOcclusionEstimator.h"
 
 #include "vtkCamera.h"
@@ -97,6 +98,7 @@ struct vtkPenumbraTemporalSSAOPass::Internals
   vtkSmartPointer<vtkPenumbraOcclusionEstimator> NamedEstimator; ///< registered by another module
   std::string EstimatorName;
   vtkNew<vtkPenumbraKernelEstimator> Kernels;
+  penumbra::OcclusionConstants Constants;
   vtkNew<vtkFieldData> Statistics;
   std::string ActiveKernel;
   penumbra::StaticViewRefiner Refiner;
@@ -232,22 +234,13 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   }
   settings.Darkness = { this->Strength, this->LightAwareness };
   settings.Tolerance = this->Tolerance;
-  settings.FirstSamples = this->FirstSamples;
-  settings.Samples = this->Samples;
-  settings.SettledPeriod = this->SettledPeriod;
-  settings.AdaptiveConvergence = this->AdaptiveConvergence;
-  settings.SpatialConvergence = this->SpatialConvergence;
-  settings.RotationConvergence = this->RotationConvergence;
-  settings.MaximumWeight = this->MaximumWeight;
-  settings.InvalidationWeight = this->InvalidationWeight;
-  settings.DepthTolerance = this->DepthTolerance;
-  settings.Filter = this->Filter;
+  const penumbra::OcclusionConstants& constants = internals.Constants;
+  settings.Constants = constants;
   settings.InOneRender = this->ConvergeInOneRender == ALWAYS ||
     (this->ConvergeInOneRender == OFFSCREEN && !penumbra::IsInteractive(window) &&
       (window->GetOffScreenRendering() || !window->GetShowWindow()));
   settings.DelegateDrawsBackground = !this->OpaqueOnly;
-  settings.DelegateOnce = this->DelegateOnce;
-  settings.UseActorMotion = this->UseActorMotion && this->OpaqueOnly;
+  settings.UseActorMotion = constants.UseActorMotion && this->OpaqueOnly;
   // After compositing of several ranks it is unknown which props moved.
   const PropTimes props = FindPropTimes(renderer);
   const int eye = window->GetStereoRender() ? 1 + renderer->GetActiveCamera()->GetLeftEye() : 0;
@@ -271,8 +264,8 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
     settings.Bounds = bounds;
     const double side = std::max(renderer->GetSize()[0], renderer->GetSize()[1]);
     const double needed = estimator->NeedsMargin() ? settings.Radius / pixel : 0.0;
-    rendererState.Margin = this->Margin >= 0.0
-      ? static_cast<int>(std::ceil(this->Margin / 100.0 * side))
+    rendererState.Margin = constants.Margin >= 0.0
+      ? static_cast<int>(std::ceil(constants.Margin / 100.0 * side))
       : ChooseMargin(
           needed, penumbra::MaximumMargin * side, settings.InOneRender ? 0 : rendererState.Margin);
     settings.Margin[0] = settings.Margin[1] = rendererState.Margin;
@@ -355,6 +348,11 @@ void vtkPenumbraTemporalSSAOPass::ReleaseGraphicsResources(vtkWindow* window)
   }
 }
 
+penumbra::OcclusionConstants& vtkPenumbraTemporalSSAOPass::GetConstants()
+{
+  return this->Implementation->Constants;
+}
+
 bool vtkPenumbraTemporalSSAOPass::IsConverged()
 {
   return this->Implementation->Last && this->Implementation->Last->IsConverged();
@@ -422,19 +420,6 @@ void vtkPenumbraTemporalSSAOPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LightAwareness: " << this->LightAwareness << "\n";
   os << indent << "KernelName: " << this->KernelName << "\n";
   os << indent << "Estimator: " << this->GetEstimator() << "\n";
-  os << indent << "FirstSamples: " << this->FirstSamples << "\n";
-  os << indent << "Samples: " << this->Samples << "\n";
-  os << indent << "SettledPeriod: " << this->SettledPeriod << "\n";
-  os << indent << "MaximumWeight: " << this->MaximumWeight << "\n";
-  os << indent << "AdaptiveConvergence: " << this->AdaptiveConvergence << "\n";
-  os << indent << "SpatialConvergence: " << this->SpatialConvergence << "\n";
-  os << indent << "RotationConvergence: " << this->RotationConvergence << "\n";
-  os << indent << "InvalidationWeight: " << this->InvalidationWeight << "\n";
-  os << indent << "DepthTolerance: " << this->DepthTolerance << "\n";
-  os << indent << "Filter: " << this->Filter << "\n";
-  os << indent << "Margin: " << this->Margin << "\n";
-  os << indent << "DelegateOnce: " << this->DelegateOnce << "\n";
-  os << indent << "UseActorMotion: " << this->UseActorMotion << "\n";
   os << indent << "ConvergeInOneRender: " << this->ConvergeInOneRender << "\n";
   os << indent << "RefineStaticView: " << this->RefineStaticView << "\n";
 }

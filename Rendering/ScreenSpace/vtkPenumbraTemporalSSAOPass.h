@@ -9,8 +9,9 @@
  * on a renderer in one call, RemoveFrom() restores it.
  *
  * The pass can also be set up as any vtkImageProcessingPass: the delegate renders color and depth,
- * by default the whole image with its background. Occlusion depends on depth only, so that any
- * mapper works.
+ * by default the whole image with its background, which then happens exactly once per frame, because
+ * the delegate may synchronize with other ranks. Occlusion depends on depth only, so that any mapper
+ * works.
  *
  * Departures from [TSSAO]: a static view stops; all pixels use the same section of the sample
  * sequence, so that no index is stored; history is validated against the plane through the surface
@@ -27,6 +28,10 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
 
+namespace penumbra
+{
+struct OcclusionConstants;
+}
 class vtkFieldData;
 class vtkImageData;
 class vtkPenumbraOcclusionEstimator;
@@ -123,131 +128,6 @@ public:
   vtkPenumbraOcclusionEstimator* GetEstimator();
   ///@}
 
-  ///@{
-  /**
-   * Samples (depth fetches) per pixel and frame (k1 in [TSSAO]): for static views, and in motion
-   * for pixels whose convergence is below AdaptiveConvergence. When converging within one Render(),
-   * batches have as many samples as the next tolerance check needs, at most 128 or FirstSamples.
-   * Range: [8, 512]. Default: 32.
-   */
-  vtkSetClampMacro(FirstSamples, int, 8, 512);
-  vtkGetMacro(FirstSamples, int);
-  ///@}
-
-  ///@{
-  /**
-   * Samples per pixel and frame in motion, at pixels above AdaptiveConvergence, k2 in [TSSAO].
-   * Range: [8, 512]. Default: 8.
-   */
-  vtkSetClampMacro(Samples, int, 8, 512);
-  vtkGetMacro(Samples, int);
-  ///@}
-
-  ///@{
-  /**
-   * Number of frames in which a pixel takes Samples once while only the camera moves, if the kernel
-   * reads depth only and the pixel is above AdaptiveConvergence and SpatialConvergence. Blocks of
-   * 4x4 pixels take turns. Above 1, frames are faster and the image is steadier, but it follows
-   * the view more slowly. Range: [1, 16]. Default: 1.
-   */
-  vtkSetClampMacro(SettledPeriod, int, 1, 16);
-  vtkGetMacro(SettledPeriod, int);
-  ///@}
-
-  ///@{
-  /**
-   * Number of samples above which older ones fade, w_max in [TSSAO]. The convergence of a pixel is
-   * its number of samples divided by this. Range: [8, 1e5]. Default: 500.
-   */
-  vtkPenumbraSetClampedNumberMacro(MaximumWeight, 8.0, 1e5);
-  vtkGetMacro(MaximumWeight, double);
-  ///@}
-
-  ///@{
-  /**
-   * Convergence up to which pixels take FirstSamples in motion, c_adaptive in [TSSAO].
-   * Range: [0, 1]. Default: 0.2.
-   */
-  vtkPenumbraSetClampedNumberMacro(AdaptiveConvergence, 0.0, 1.0);
-  vtkGetMacro(AdaptiveConvergence, double);
-  ///@}
-
-  ///@{
-  /**
-   * Convergence from which pixels are not filtered, c_spatial in [TSSAO]. Range: [0, 1].
-   * Default: 0.3.
-   */
-  vtkPenumbraSetClampedNumberMacro(SpatialConvergence, 0.0, 1.0);
-  vtkGetMacro(SpatialConvergence, double);
-  ///@}
-
-  ///@{
-  /**
-   * Convergence up to which samples differ from pixel to pixel, c_rot in [TSSAO]. Range: [0, 1].
-   * Default: 0.5.
-   */
-  vtkPenumbraSetClampedNumberMacro(RotationConvergence, 0.0, 1.0);
-  vtkGetMacro(RotationConvergence, double);
-  ///@}
-
-  ///@{
-  /**
-   * Maximum number of samples kept at a pixel if a neighbor moved [TSSAO eq. 9]. Range: [0, 1000].
-   * Default: 30.
-   */
-  vtkPenumbraSetClampedNumberMacro(InvalidationWeight, 0.0, 1000.0);
-  vtkGetMacro(InvalidationWeight, double);
-  ///@}
-
-  ///@{
-  /**
-   * Relative depth difference from which history is rejected as that of another surface; limited to
-   * 0.08 radii. 1: history is never rejected, not even at camera cuts. Range: [1e-4, 1].
-   * Default: 0.02.
-   */
-  vtkPenumbraSetClampedNumberMacro(DepthTolerance, 1e-4, 1.0);
-  vtkGetMacro(DepthTolerance, double);
-  ///@}
-
-  ///@{
-  /** If on, pixels below SpatialConvergence are filtered. Default: on. */
-  vtkSetMacro(Filter, bool);
-  vtkGetMacro(Filter, bool);
-  vtkBooleanMacro(Filter, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Margin around the image, in which occluders have an effect, in percent of the larger image
-   * side. Negative: the radius, at most 10 percent, and 0 for ray tracing. Requires OpaqueOnly.
-   * Range: up to 50. Default: -1.
-   */
-  vtkPenumbraSetClampedNumberMacro(Margin, -1.0, 50.0);
-  vtkGetMacro(Margin, double);
-  ///@}
-
-  ///@{
-  /**
-   * If on, every Render() renders the delegate exactly once, as required by a delegate that
-   * synchronizes with other ranks. If off, a cheaper path for static views may render it a second
-   * time. Default: off.
-   */
-  vtkSetMacro(DelegateOnce, bool);
-  vtkGetMacro(DelegateOnce, bool);
-  vtkBooleanMacro(DelegateOnce, bool);
-  ///@}
-
-  ///@{
-  /**
-   * If on, history is reprojected with actors that move as rigid bodies; they are rendered a second
-   * time to identify the pixels of each actor. If off, history is discarded where depth shows
-   * motion. Requires OpaqueOnly. Default: on.
-   */
-  vtkSetMacro(UseActorMotion, bool);
-  vtkGetMacro(UseActorMotion, bool);
-  vtkBooleanMacro(UseActorMotion, bool);
-  ///@}
-
   /** Conditions under which a single Render() converges. */
   enum ConvergeModes
   {
@@ -279,6 +159,9 @@ public:
   vtkGetMacro(RefineStaticView, bool);
   vtkBooleanMacro(RefineStaticView, bool);
   ///@}
+
+  /** Constants of the method, for benchmarks and tests. Their names and meanings may change. */
+  penumbra::OcclusionConstants& GetConstants();
 
   void ReleaseGraphicsResources(vtkWindow* w) override;
 
@@ -325,19 +208,6 @@ private:
   double Strength = 1.0;
   double LightAwareness = 0.0;
   std::string KernelName = "automatic";
-  int FirstSamples = 32;
-  int Samples = 8;
-  int SettledPeriod = 1;
-  double MaximumWeight = 500.0;
-  double AdaptiveConvergence = 0.2;
-  double SpatialConvergence = 0.3;
-  double RotationConvergence = 0.5;
-  double InvalidationWeight = 30.0;
-  double DepthTolerance = 0.02;
-  bool Filter = true;
-  double Margin = -1.0;
-  bool DelegateOnce = false;
-  bool UseActorMotion = true;
   int ConvergeInOneRender = OFFSCREEN;
   bool RefineStaticView = true;
 };

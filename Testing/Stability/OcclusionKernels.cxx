@@ -5,6 +5,7 @@
 // line of its shader that avoids the limitation changed back.
 #include "OcclusionScenes.h"
 #include "Scenario.h"
+#include "vtkPenumbraOcclusionConstants.h"
 
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -146,7 +147,7 @@ ScenarioResult ManySamples(Variant variant)
   OcclusionScene scene(96, 72);
   Furnish(scene);
   scene.AddOcclusionPass(1.0)->SetTolerance(.005);
-  scene.Pass->FilterOff();
+  scene.Pass->GetConstants().Filter = false;
   scene.Pass->SetEstimator(kernel);
   scene.Window->Render();
   const Frame late = OcclusionOf(scene);
@@ -186,11 +187,11 @@ ScenarioResult AfterAChange(Variant variant)
   OcclusionScene scene(64, 48);
   Furnish(scene);
   scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
-  scene.Pass->FilterOff();
-  scene.Pass->SetFirstSamples(8);
+  scene.Pass->GetConstants().Filter = false;
+  scene.Pass->GetConstants().FirstSamples = 8;
   if (variant == Variant::Ablated)
   {
-    scene.Pass->SetInvalidationWeight(0.0);
+    scene.Pass->GetConstants().InvalidationWeight = 0.0;
   }
   for (int frame = 0; frame < 40; ++frame)
   {

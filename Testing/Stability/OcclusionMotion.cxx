@@ -5,6 +5,7 @@
 // ghosts. Occlusion in [0, 1] is compared with the converged occlusion of the same view.
 #include "OcclusionScenes.h"
 #include "Scenario.h"
+#include "vtkPenumbraOcclusionConstants.h"
 
 #include "Frame/ScopedShaderEdit.h"
 
@@ -45,11 +46,11 @@ const Ablation DepthDifference = {
   "abs(1.0 + tapDepth / position.z) < depthTolerance"
 };
 const Ablation NoDepthValidation = { "validation by depth (eq. 8): none",
-  [](Pass* pass) { pass->SetDepthTolerance(1.0); }, "", "" };
+  [](Pass* pass) { pass->GetConstants().DepthTolerance = 1.0; }, "", "" };
 const Ablation NoNeighborValidation = { "validation by neighbors (eq. 9): none",
-  [](Pass* pass) { pass->SetInvalidationWeight(1000.0); }, "", "" };
+  [](Pass* pass) { pass->GetConstants().InvalidationWeight = 1000.0; }, "", "" };
 const Ablation NoActorMotion = { "motion of actors: not followed",
-  [](Pass* pass) { pass->UseActorMotionOff(); }, "", "" };
+  [](Pass* pass) { pass->GetConstants().UseActorMotion = false; }, "", "" };
 
 /// Renders `frames` frames, each after `move`, with or without a mechanism.
 template <typename Step, typename Observer>
@@ -279,7 +280,7 @@ ScenarioResult CrossImageEdge(Variant variant)
     scene.AddSphere({ position, 0, .5 }, .5);
     scene.SetCamera({ 0, -5, 3 }, { 0, 0, .4 });
     scene.AddOcclusionPass(1.0)->SetTolerance(.005);
-    scene.Pass->SetMargin(margin);
+    scene.Pass->GetConstants().Margin = margin;
     scene.Window->Render();
     return OcclusionOf(scene);
   };

@@ -5,6 +5,7 @@
 // of length, distances from the origin.
 #include "OcclusionScenes.h"
 #include "Scenario.h"
+#include "vtkPenumbraOcclusionConstants.h"
 
 #include "Frame/ScopedShaderEdit.h"
 
@@ -259,7 +260,7 @@ ScenarioResult ImageEdge(Variant variant)
     OcclusionScene scene(width, height);
     Furnish(scene);
     scene.Renderer->GetActiveCamera()->SetViewAngle(angle);
-    scene.AddOcclusionPass(1.0)->SetMargin(margin);
+    scene.AddOcclusionPass(1.0)->GetConstants().Margin = margin;
     scene.Pass->SetTolerance(.005);
     return RenderOcclusion(scene);
   };
@@ -320,7 +321,7 @@ ScenarioResult Viewports(Variant variant)
   Pass::AddTo(left);
   if (variant == Variant::Ablated)
   {
-    pair.Pass->SetMargin(0.0);
+    pair.Pass->GetConstants().Margin = 0.0;
   }
   pair.Window->Render();
   const std::vector<float> values = pair.Array("AmbientOcclusion");

@@ -3,6 +3,7 @@
 //
 // Compares ray-traced occlusion with closed forms and with brute force over the same meshes.
 #include "TracedScene.h"
+#include "vtkPenumbraOcclusionConstants.h"
 #include "vtkPenumbraTracedEstimator.h"
 
 #include "BruteForceOcclusion.h"
@@ -171,7 +172,8 @@ TEST(TracedEstimator, TracesEveryPixelWithinFourFramesOfMotion)
     vtkPenumbraTemporalSSAOPass* pass = AddTracedPass(scene, 1.0);
     GetEstimator(scene)->SetSamplesPerRay(samplesPerRay);
     pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
-    pass->SetDepthTolerance(1e-9); // disables the history: all samples are from the last frame
+    pass->GetConstants().DepthTolerance =
+      1e-9; // disables the history: all samples are from the last frame
     std::vector<int> traced(62 * 45);
     for (int frame = 0; frame < 5; ++frame)
     {
@@ -181,7 +183,7 @@ TEST(TracedEstimator, TracesEveryPixelWithinFourFramesOfMotion)
       ASSERT_EQ(convergence.size(), traced.size());
       for (std::size_t i = 0; frame > 0 && i < traced.size(); ++i)
       {
-        traced[i] += convergence[i] > .9 / pass->GetMaximumWeight();
+        traced[i] += convergence[i] > .9 / pass->GetConstants().MaximumWeight;
       }
     }
     EXPECT_EQ(std::count(traced.begin(), traced.end(), 0), 0) << samplesPerRay;

@@ -19,21 +19,6 @@ namespace penumbra
 namespace
 {
 
-/// Clears the target. Sets the same OpenGL state as DelegateImage does for its delegate.
-void Clear(vtkOpenGLState* gl, const int at[4])
-{
-  gl->vtkglViewport(at[0], at[1], at[2], at[3]);
-  gl->vtkglScissor(at[0], at[1], at[2], at[3]);
-  gl->vtkglEnable(GL_SCISSOR_TEST);
-  gl->vtkglEnable(GL_DEPTH_TEST);
-  gl->vtkglDepthFunc(GL_LEQUAL);
-  gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl->vtkglDepthMask(GL_TRUE);
-  gl->vtkglClearColor(0.f, 0.f, 0.f, 0.f);
-  gl->vtkglClearDepth(1.0);
-  gl->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-}
-
 void SetVector(vtkShaderProgram* program, const char* name, double x, double y)
 {
   const float values[2] = { static_cast<float>(x), static_cast<float>(y) };
@@ -48,7 +33,7 @@ void SetPixelSize(vtkShaderProgram* program, const char* name, vtkTextureObject*
 }
 
 bool ConvergedFrame::Draw(const vtkRenderState* state, vtkRenderPass* delegate,
-  const DelegateImage& image, const CompositeInputs& inputs, bool clear)
+  const DelegateImage& image, const CompositeInputs& inputs)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow());
   vtkOpenGLFramebufferObject* target = DelegateImage::GetReadableTarget(state);
@@ -62,10 +47,6 @@ bool ConvergedFrame::Draw(const vtkRenderState* state, vtkRenderPass* delegate,
   const vtkOpenGLState::ScopedglScissor scissor(gl);
   const vtkOpenGLState::ScopedglEnableDisable scissorTest(gl, GL_SCISSOR_TEST);
   const vtkOpenGLState::ScopedglEnableDisable depthTest(gl, GL_DEPTH_TEST);
-  if (clear)
-  {
-    Clear(gl, image.GetViewport());
-  }
   delegate->Render(state);
   this->Props = delegate->GetNumberOfRenderedProps();
   vtkTextureObject* depth = target->GetDepthAttachmentAsTextureObject();

@@ -51,7 +51,8 @@ vtkFloatArray* AddArray(vtkImageData* image, const char* name)
 bool OcclusionViewState::MeetsTolerance() const
 {
   return this->TileConvergence.IsDone() ||
-    this->TileConvergence.GetSamplesAtCheck() >= StillSampleLimit * this->Settings.MaximumWeight;
+    this->TileConvergence.GetSamplesAtCheck() >=
+    StillSampleLimit * this->Settings.Constants.MaximumWeight;
 }
 
 bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* delegate,
@@ -73,10 +74,10 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   view.Unit = settings.Radius;
   // An image in the target can be multiplied by a factor, but not by one that depends on its
   // brightness.
-  const bool direct = !settings.DelegateOnce && settings.Darkness.LightAwareness == 0.0;
+  // A delegate that renders the whole image may synchronize with other ranks: it is rendered once.
+  const bool direct = !settings.DelegateDrawsBackground && settings.Darkness.LightAwareness == 0.0;
   if (direct && this->CanReuseConvergedFrame(view) &&
-    this->StoredFrame.Draw(
-      state, delegate, this->Image, this->GetCompositeInputs(), settings.DelegateDrawsBackground))
+    this->StoredFrame.Draw(state, delegate, this->Image, this->GetCompositeInputs()))
   {
     this->Props = this->StoredFrame.GetNumberOfRenderedProps();
     this->Changed = false;
@@ -108,7 +109,7 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   {
     return false;
   }
-  if (change == EyeDepth::Change::Moved && settings.DepthTolerance < 1.0 &&
+  if (change == EyeDepth::Change::Moved && settings.Constants.DepthTolerance < 1.0 &&
     view.IsCutFrom(this->Depth.GetPreviousView(), this->Renderer->GetActiveCamera()->GetDistance()))
   {
     // A kernel finds other occluders from the new viewpoint, so a short new history is more accurate.
@@ -122,7 +123,7 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
     change = settings.InOneRender ? EyeDepth::Change::Reset : change;
     this->Converged = false;
     this->TileConvergence.Restart(
-      change == EyeDepth::Change::Reset ? 0.0 : settings.InvalidationWeight);
+      change == EyeDepth::Change::Reset ? 0.0 : settings.Constants.InvalidationWeight);
   }
   if (change == EyeDepth::Change::Reset)
   {
@@ -145,8 +146,7 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   // Later frames are rendered directly into the target. Do the same for this one, so that all are
   // identical.
   if (direct && this->Converged &&
-    this->StoredFrame.Draw(
-      state, delegate, this->Image, this->GetCompositeInputs(), settings.DelegateDrawsBackground))
+    this->StoredFrame.Draw(state, delegate, this->Image, this->GetCompositeInputs()))
   {
     return true;
   }
@@ -169,8 +169,9 @@ void OcclusionViewState::UpdateActorMotion()
 void OcclusionViewState::CompareSettings(const OcclusionSettings& last)
 {
   OcclusionSettings& now = this->Settings;
+  const OcclusionConstants& constants = now.Constants;
   // If InvalidationWeight is at least MaximumWeight, sample validation has no effect.
-  now.PropsChanged = now.PropsChanged && now.InvalidationWeight < now.MaximumWeight;
+  now.PropsChanged = now.PropsChanged && constants.InvalidationWeight < constants.MaximumWeight;
   // An image that converges in one Render() does not depend on earlier ones.
   now.Restart = now.Restart ||
     (now.InOneRender &&
@@ -178,7 +179,7 @@ void OcclusionViewState::CompareSettings(const OcclusionSettings& last)
   if (!now.Restart && now.EstimatorChanged)
   {
     this->Converged = false;
-    this->TileConvergence.Restart(now.InvalidationWeight);
+    this->TileConvergence.Restart(constants.InvalidationWeight);
     this->LimitSamplesSinceReset();
   }
   if (!now.Restart && now.Tolerance < last.Tolerance)
@@ -186,8 +187,9 @@ void OcclusionViewState::CompareSettings(const OcclusionSettings& last)
     this->Converged = false;
     this->TileConvergence.ReactivateTiles();
   }
-  const bool sameFilter = now.Filter == last.Filter &&
-    now.SpatialConvergence == last.SpatialConvergence && now.MaximumWeight == last.MaximumWeight;
+  const bool sameFilter = constants.Filter == last.Constants.Filter &&
+    constants.SpatialConvergence == last.Constants.SpatialConvergence &&
+    constants.MaximumWeight == last.Constants.MaximumWeight;
   this->Filtered = sameFilter;
   this->StoredFrameValid = sameFilter && now.Darkness.Strength == last.Darkness.Strength &&
     now.Darkness.LightAwareness == last.Darkness.LightAwareness;
@@ -219,20 +221,21 @@ bool OcclusionViewState::Converge(EyeDepth::Change change)
 
 void OcclusionViewState::LimitSamplesSinceReset()
 {
-  this->SamplesSinceReset =
-    std::min(this->SamplesSinceReset, static_cast<int>(this->Settings.InvalidationWeight));
+  this->SamplesSinceReset = std::min(
+    this->SamplesSinceReset, static_cast<int>(this->Settings.Constants.InvalidationWeight));
 }
 
 bool OcclusionViewState::Estimate(EyeDepth::Change change)
 {
   const OcclusionSettings& settings = this->Settings;
+  const OcclusionConstants& constants = settings.Constants;
   const bool refine = change == EyeDepth::Change::None && this->TileConvergence.GetSamples() > 0;
   if (change == EyeDepth::Change::None && !refine)
   {
     // The camera has just stopped: AccumulateSamples() caps the weight of the history.
     this->LimitSamplesSinceReset();
   }
-  const double convergence = this->SamplesSinceReset / settings.MaximumWeight;
+  const double convergence = this->SamplesSinceReset / constants.MaximumWeight;
   vtkPenumbraOcclusionEstimator::Request request;
   request.Window = this->Window;
   request.Renderer = this->Renderer;
@@ -244,23 +247,23 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
   // more samples, because the rest of a frame costs as much with few.
   const bool byPixel = change == EyeDepth::Change::Moved && this->HasShader();
   const bool many =
-    !byPixel && (change != EyeDepth::Change::Moved || convergence < settings.AdaptiveConvergence);
+    !byPixel && (change != EyeDepth::Change::Moved || convergence < constants.AdaptiveConvergence);
   // Intermediate images are not shown: take the samples until the next check in few large steps.
   const int untilCheck = settings.InOneRender ? this->TileConvergence.GetSamplesUntilCheck() : 0;
   request.Samples = std::max(
-    many ? settings.FirstSamples : settings.Samples, std::min(untilCheck, MaximumSamplesPerStep));
+    many ? constants.FirstSamples : constants.Samples, std::min(untilCheck, MaximumSamplesPerStep));
   request.ShortHistorySamples =
-    byPixel ? std::max(settings.FirstSamples, request.Samples) : request.Samples;
+    byPixel ? std::max(constants.FirstSamples, request.Samples) : request.Samples;
   request.Tolerance = settings.InOneRender && settings.Interpolate ? settings.Tolerance : 0.0;
   request.Parts = refine && this->TileConvergence.HasTileErrors()
     ? &this->TileConvergence.GetActiveTiles()
     : &this->InnerRegion;
   request.Moving = change == EyeDepth::Change::Moved && this->TotalSamples > 0;
   // While the view moves, there are always disoccluded pixels with few samples.
-  request.RotatePerPixel = request.Moving || convergence < settings.RotationConvergence;
+  request.RotatePerPixel = request.Moving || convergence < constants.RotationConvergence;
   if (byPixel && !settings.SceneChanged)
   {
-    request.Turns = settings.SettledPeriod;
+    request.Turns = constants.SettledPeriod;
     request.Turn = ChooseTurn(this->FramesWithTurns, request.Turns);
     request.SettledFirstSample = this->FramesWithTurns / request.Turns * request.Samples;
     this->FramesWithTurns = (this->FramesWithTurns + 1) % SequenceLength;
@@ -273,7 +276,8 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
   this->TotalSamples = (this->TotalSamples + samples) % SequenceLength;
   this->SamplesSinceReset += samples;
   this->NewSamples += samples;
-  this->DisocclusionSamples = byPixel ? std::max(settings.FirstSamples, samples) : this->NewSamples;
+  this->DisocclusionSamples =
+    byPixel ? std::max(constants.FirstSamples, samples) : this->NewSamples;
   if (this->Estimator->IsFinal())
   {
     this->TileConvergence.MarkConverged(samples, settings.Tolerance);
@@ -289,20 +293,20 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
 int OcclusionViewState::AccumulateSamples(
   const vtkPenumbraOcclusionEstimator::Request& request, EyeDepth::Change change, bool refine)
 {
+  const OcclusionConstants& constants = this->Settings.Constants;
   TemporalSettings temporal;
-  temporal.MaximumWeight = this->Settings.MaximumWeight;
-  temporal.GrowingHistory = this->Settings.AdaptiveConvergence * this->Settings.MaximumWeight;
+  temporal.MaximumWeight = constants.MaximumWeight;
+  temporal.GrowingHistory = constants.AdaptiveConvergence * constants.MaximumWeight;
   temporal.SettledHistory =
-    std::max(this->Settings.AdaptiveConvergence, this->Settings.SpatialConvergence) *
-    this->Settings.MaximumWeight;
-  temporal.DepthTolerance = this->Settings.DepthTolerance;
+    std::max(constants.AdaptiveConvergence, constants.SpatialConvergence) * constants.MaximumWeight;
+  temporal.DepthTolerance = constants.DepthTolerance;
   temporal.NeighborValidation = this->Settings.SceneChanged;
-  temporal.InvalidationWeight = this->Settings.InvalidationWeight;
+  temporal.InvalidationWeight = constants.InvalidationWeight;
   temporal.PropsChanged = this->Settings.PropsChanged;
   temporal.Motion = this->HasActorMotion ? &this->Motion : nullptr;
   if (this->Settings.EstimatorChanged)
   {
-    temporal.WeightCap = this->Settings.InvalidationWeight;
+    temporal.WeightCap = constants.InvalidationWeight;
   }
   if (change == EyeDepth::Change::Moved && this->HasShader())
   {
@@ -316,7 +320,7 @@ int OcclusionViewState::AccumulateSamples(
   if (change == EyeDepth::Change::None)
   {
     // The reprojected history is slightly blurred, so its weight is limited.
-    temporal.WeightCap = this->Settings.InvalidationWeight;
+    temporal.WeightCap = constants.InvalidationWeight;
   }
   const bool added = refine
     ? this->History.Accumulate(this->Window, this->Image, this->Estimates, samples, *request.Parts)
@@ -327,9 +331,10 @@ int OcclusionViewState::AccumulateSamples(
 
 bool OcclusionViewState::Filter()
 {
+  const OcclusionConstants& constants = this->Settings.Constants;
   BilateralSettings settings;
-  settings.ConvergedWeight = this->Settings.SpatialConvergence * this->Settings.MaximumWeight;
-  if (!this->Settings.Filter || this->Estimator->IsFinal() ||
+  settings.ConvergedWeight = constants.SpatialConvergence * constants.MaximumWeight;
+  if (!constants.Filter || this->Estimator->IsFinal() ||
     this->TileConvergence.GetSamples() >= settings.ConvergedWeight)
   {
     // No pixel needs the filter.
@@ -374,9 +379,10 @@ HistoryCounts OcclusionViewState::CountPixels()
   inputs.History = this->History.GetTexture();
   inputs.MovedActors = this->HasActorMotion ? this->Motion.GetTarget() : nullptr;
   inputs.NewWeight = this->NewSamples > 0 ? this->DisocclusionSamples : 0;
-  inputs.InvalidationWeight = this->Settings.InvalidationWeight;
-  inputs.ConvergedWeight =
-    this->Converged ? 0.0 : this->Settings.SpatialConvergence * this->Settings.MaximumWeight;
+  inputs.InvalidationWeight = this->Settings.Constants.InvalidationWeight;
+  inputs.ConvergedWeight = this->Converged
+    ? 0.0
+    : this->Settings.Constants.SpatialConvergence * this->Settings.Constants.MaximumWeight;
   return this->Counter.Count(this->Window, this->Image, inputs);
 }
 
@@ -408,9 +414,10 @@ void OcclusionViewState::CopyTo(vtkImageData* image) const
       depths->SetValue(
         target, empty ? std::numeric_limits<float>::infinity() : static_cast<float>(depth));
       convergences->SetValue(target,
-        empty
-          ? 1.f
-          : std::min(static_cast<float>(history[2 * at + 1] / this->Settings.MaximumWeight), 1.f));
+        empty ? 1.f
+              : std::min(
+                  static_cast<float>(history[2 * at + 1] / this->Settings.Constants.MaximumWeight),
+                  1.f));
     }
   }
 }

@@ -16,6 +16,7 @@
 #include "Frame/EyeDepth.h"
 #include "PixelCounter.h"
 #include "TemporalHistory.h"
+#include "vtkPenumbraOcclusionConstants.h"
 #include "vtkPenumbraOcclusionEstimator.h"
 
 #include <vector>
@@ -30,21 +31,11 @@ struct OcclusionSettings
   double Radius = 1.0; ///< world units
   Darkening Darkness;
   double Tolerance = 0.01;
-  int FirstSamples = 32;
-  int Samples = 8;
-  int SettledPeriod = 1; ///< frames in which pixels with a settled history get samples once
-  double AdaptiveConvergence = 0.2;
-  double SpatialConvergence = 0.3;
-  double RotationConvergence = 0.5;
-  double MaximumWeight = 500.0;
-  double InvalidationWeight = 30.0;
-  double DepthTolerance = 0.02;
-  bool Filter = true;
+  OcclusionConstants Constants;
   bool InOneRender = false;
   /// With InOneRender: the estimator may interpolate and return a final result.
   bool Interpolate = false;
   bool DelegateDrawsBackground = true;
-  bool DelegateOnce = false;  ///< the delegate must be rendered exactly once per frame
   bool SceneChanged = true;   ///< something besides the camera may have moved since the last frame
   bool PropsChanged = false;  ///< props were added or removed since the last frame
   bool HiddenChanged = false; ///< the estimator's scene changed in a way that depth does not show

@@ -3,6 +3,7 @@
 //
 // Temporal reprojection of the occlusion of moving actors.
 #include "OcclusionScene.h"
+#include "vtkPenumbraOcclusionConstants.h"
 
 #include "vtkAssembly.h"
 #include "vtkCamera.h"
@@ -88,7 +89,7 @@ TEST(MovingActors, KeepTheirHistory)
     for (const bool useMotion : { false, true })
     {
       Corner corner(multiSamples);
-      corner.Scene.Pass->SetUseActorMotion(useMotion);
+      corner.Scene.Pass->GetConstants().UseActorMotion = useMotion;
       corner.RenderStatic(16);
       corner.RenderMoving(8);
       kept[useMotion] = Statistic(corner.Scene, "Pixels/Reprojected");

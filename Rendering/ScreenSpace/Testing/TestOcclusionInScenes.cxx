@@ -3,6 +3,7 @@
 //
 // The occlusion pass with various cameras and scenes.
 #include "OcclusionScene.h"
+#include "vtkPenumbraOcclusionConstants.h"
 
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
@@ -115,7 +116,7 @@ TEST(OcclusionInScenes, IncludesOccludersInTheMargin)
     OcclusionScene scene(width, height);
     AddSphereBeforeWall(scene);
     scene.Renderer->GetActiveCamera()->SetViewAngle(angle);
-    scene.AddOcclusionPass(1.0)->SetMargin(margin);
+    scene.AddOcclusionPass(1.0)->GetConstants().Margin = margin;
     scene.Pass->SetKernelName("horizon");
     scene.Pass->SetTolerance(0.003);
     scene.Window->Render();

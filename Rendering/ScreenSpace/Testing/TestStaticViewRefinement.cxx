@@ -3,6 +3,7 @@
 //
 // Frames that a window with an interactor renders by itself, and frames that are interrupted.
 #include "OcclusionScene.h"
+#include "vtkPenumbraOcclusionConstants.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
@@ -248,9 +249,9 @@ TEST_F(StaticViewRefinement, CountsTheSamePixelsAsTheArrays)
     this->Scene.Renderer->GetActiveCamera()->Azimuth(2.0);
     this->Scene.Window->Render();
   }
-  const double spatialConvergence = this->Scene.Pass->GetSpatialConvergence();
+  const double spatialConvergence = this->Scene.Pass->GetConstants().SpatialConvergence;
   const double newConvergence =
-    this->Scene.Pass->GetFirstSamples() / this->Scene.Pass->GetMaximumWeight();
+    this->Scene.Pass->GetConstants().FirstSamples / this->Scene.Pass->GetConstants().MaximumWeight;
   const std::vector<float> depths = this->Scene.Array("Depth");
   const std::vector<float> convergences = this->Scene.Array("Convergence");
   double surface = 0.0;
