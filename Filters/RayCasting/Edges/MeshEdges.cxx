@@ -79,22 +79,17 @@ std::vector<Index> MergePositions(const std::vector<glm::vec3>& positions)
   constexpr std::size_t MaximumGroups = 1024;
   const std::size_t groups =
     std::clamp<std::size_t>(positions.size() / ArrayGrain, 1, MaximumGroups);
-  std::vector<std::size_t> begin;
-  std::vector<Index> indices;
-  FillBins(
-    positions.size(), groups,
-    [&](std::size_t first, std::size_t last, const auto& add) {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        // The lower digits select the slot in the group.
-        add((HashPosition(positions[i]) >> 40) % groups, static_cast<Index>(i));
-      }
-    },
-    begin, indices);
+  Bins<Index> indices;
+  indices.Fill(positions.size(), groups, [&](std::size_t first, std::size_t last, const auto& add) {
+    for (std::size_t i = first; i < last; ++i)
+    {
+      // The lower digits select the slot in the group.
+      add((HashPosition(positions[i]) >> 40) % groups, static_cast<Index>(i));
+    }
+  });
   std::vector<Index> canonical(positions.size());
   ParallelFor<std::size_t>(0, groups, 1, [&](std::size_t group) {
-    MergeGroup(
-      positions, indices.data() + begin[group], begin[group + 1] - begin[group], canonical);
+    MergeGroup(positions, indices.Get(group), indices.GetCount(group), canonical);
   });
   return canonical;
 }

@@ -301,7 +301,7 @@ void ProjectOutline(const Surface& surface, std::uint32_t primitive, const Camer
   }
 }
 
-RoundOutlines::RoundOutlines(const Scene& scene, glm::dvec2 origin, double size, glm::ivec2 cells)
+RoundOutlines::RoundOutlines(const Scene& scene, const TileGrid& tiles)
   : OutlinedScene(scene),
     FirstShape(1, 0)
 {
@@ -314,81 +314,41 @@ RoundOutlines::RoundOutlines(const Scene& scene, glm::dvec2 origin, double size,
         static_cast<std::uint32_t>(scene.Surfaces[i].GetNumberOfPrimitives()));
     }
   }
-  if (this->Surfaces.empty() || cells.x * cells.y == 0)
-  {
-    return;
-  }
-  const auto visit = [&](const auto& callback) {
-    for (std::size_t k = 0; k < this->Surfaces.size(); ++k)
-    {
-      const Surface& surface = scene.Surfaces[this->Surfaces[k]];
-      const std::uint32_t count = this->FirstShape[k + 1] - this->FirstShape[k];
-      for (std::uint32_t i = 0; i < count; ++i)
-      {
-        glm::dvec2 low;
-        glm::dvec2 high;
-        glm::ivec2 first(0);
-        glm::ivec2 last(cells - 1);
-        const RoundShape shape = surface.GetRoundShape(i);
-        const double radius = std::max(shape.RadiusA, shape.RadiusB);
-        if (std::max(scene.ViewCamera.Depth(glm::dvec3(shape.A)),
-              scene.ViewCamera.Depth(glm::dvec3(shape.B))) +
-            radius <
-          scene.ViewCamera.Near)
-        {
-          continue;
-        }
-        if (BoundShape(shape, scene.ViewCamera, low, high))
-        {
-          low = glm::floor((low - 2.0 * EdgeMargin - origin) / size);
-          high = glm::floor((high + 2.0 * EdgeMargin - origin) / size);
-          first = glm::ivec2(glm::clamp(low, glm::dvec2(0.0), glm::dvec2(cells)));
-          last = glm::ivec2(glm::clamp(high, glm::dvec2(-1.0), glm::dvec2(cells - 1)));
-        }
-        for (int y = first.y; y <= last.y; ++y)
-        {
-          for (int x = first.x; x <= last.x; ++x)
-          {
-            callback(y * cells.x + x, this->FirstShape[k] + i);
-          }
-        }
-      }
-    }
-  };
-  this->Begin.assign(static_cast<std::size_t>(cells.x) * cells.y + 1, 0);
-  visit([&](int tile, std::uint32_t) { ++this->Begin[tile + 1]; });
-  for (std::size_t tile = 1; tile < this->Begin.size(); ++tile)
-  {
-    this->Begin[tile] += this->Begin[tile - 1];
-  }
-  this->Shapes.resize(this->Begin.back());
-  std::vector<std::uint32_t> next(this->Begin.begin(), this->Begin.end() - 1);
-  visit([&](int tile, std::uint32_t shape) { this->Shapes[next[tile]++] = shape; });
+  this->SortByTiles(this->FirstShape.back(), tiles, std::numeric_limits<int>::max());
 }
 
-void RoundOutlines::Project(
-  int tile, glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges) const
+PrimitiveId RoundOutlines::FindPrimitive(std::uint32_t shape) const
 {
-  if (this->Begin.empty())
+  const std::size_t k = std::upper_bound(this->FirstShape.begin(), this->FirstShape.end(), shape) -
+    this->FirstShape.begin() - 1;
+  return { this->Surfaces[k], shape - this->FirstShape[k] };
+}
+
+ShapeBounds RoundOutlines::FindBounds(std::uint32_t shape) const
+{
+  const PrimitiveId id = this->FindPrimitive(shape);
+  const Camera& camera = this->OutlinedScene.ViewCamera;
+  const RoundShape round = this->OutlinedScene.Surfaces[id.Surface].GetRoundShape(id.Primitive);
+  const double radius = std::max(round.RadiusA, round.RadiusB);
+  const double depth =
+    std::max(camera.Depth(glm::dvec3(round.A)), camera.Depth(glm::dvec3(round.B)));
+  ShapeBounds bounds;
+  bounds.IsVisible = !(depth + radius < camera.Near);
+  bounds.IsKnown = bounds.IsVisible && BoundShape(round, camera, bounds.Low, bounds.High);
+  return bounds;
+}
+
+void RoundOutlines::ProjectShape(
+  std::uint32_t shape, glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges) const
+{
+  const PrimitiveId id = this->FindPrimitive(shape);
+  std::size_t first = edges.size();
+  ProjectOutline(this->OutlinedScene.Surfaces[id.Surface], id.Primitive,
+    this->OutlinedScene.ViewCamera, low, high, edges);
+  for (; first < edges.size(); ++first)
   {
-    return;
-  }
-  low -= 2.0 * EdgeMargin;
-  high += 2.0 * EdgeMargin;
-  for (std::uint32_t i = this->Begin[tile]; i < this->Begin[tile + 1]; ++i)
-  {
-    const std::size_t k =
-      std::upper_bound(this->FirstShape.begin(), this->FirstShape.end(), this->Shapes[i]) -
-      this->FirstShape.begin() - 1;
-    const std::uint32_t primitive = this->Shapes[i] - this->FirstShape[k];
-    std::size_t first = edges.size();
-    ProjectOutline(this->OutlinedScene.Surfaces[this->Surfaces[k]], primitive,
-      this->OutlinedScene.ViewCamera, low, high, edges);
-    for (; first < edges.size(); ++first)
-    {
-      edges[first].RoundSurface = this->Surfaces[k];
-      edges[first].RoundPrimitive = primitive;
-    }
+    edges[first].RoundSurface = id.Surface;
+    edges[first].RoundPrimitive = id.Primitive;
   }
 }
 

@@ -6,7 +6,8 @@
 #ifndef penumbra_RoundOutlines_h
 #define penumbra_RoundOutlines_h
 
-#include "Silhouettes.h"
+#include "EdgeSource.h"
+#include "Sampling/PrimitiveId.h"
 
 #include <cstdint>
 #include <vector>
@@ -16,30 +17,23 @@ namespace penumbra
 
 struct Scene;
 
-/// The spheres and tubes of a scene, numbered through all surfaces, and those in each tile.
-class RoundOutlines
+/// The spheres and tubes of a scene, numbered through all surfaces.
+class RoundOutlines final : public EdgeSource
 {
 public:
-  /// Finds the shapes whose bounds in the image overlap the tiles: `cells.x` by `cells.y` squares
-  /// of side `size` with the lower left corner `origin`.
-  RoundOutlines(const Scene& scene, glm::dvec2 origin, double size, glm::ivec2 cells);
-
-  std::size_t GetCount(int tile) const
-  {
-    return this->Begin.empty() ? 0 : this->Begin[tile + 1] - this->Begin[tile];
-  }
-  std::size_t GetTotal() const { return this->Shapes.size(); }
-
-  /// Appends the outlines of the shapes in a tile, clipped to the rectangle [low, high] enlarged by
-  /// twice EdgeMargin.
-  void Project(int tile, glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges) const;
+  /// `scene` must outlive this object. None of the shapes are large.
+  RoundOutlines(const Scene& scene, const TileGrid& tiles);
 
 private:
+  ShapeBounds FindBounds(std::uint32_t shape) const override;
+  void ProjectShape(std::uint32_t shape, glm::dvec2 low, glm::dvec2 high,
+    std::vector<ProjectedEdge>& edges) const override;
+  /// Returns the surface of a shape and the index of the shape in the surface.
+  PrimitiveId FindPrimitive(std::uint32_t shape) const;
+
   const Scene& OutlinedScene;
   std::vector<std::uint32_t> Surfaces;   ///< indices of the surfaces of spheres and tubes
   std::vector<std::uint32_t> FirstShape; ///< number of the first shape of each, and the end
-  std::vector<std::uint32_t> Begin;      ///< first entry of each tile in Shapes, and the end
-  std::vector<std::uint32_t> Shapes;
 };
 
 /// Bounds of a sphere in the image. Returns false if they are unknown, because the sphere reaches

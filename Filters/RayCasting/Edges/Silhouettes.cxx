@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Silhouettes.h"
 
-#include "Execution/ParallelBins.h"
+#include "Execution/ParallelFor.h"
 #include "Surface.h"
 
 #include <algorithm>
@@ -108,16 +108,14 @@ bool ClipToRectangle(ProjectedEdge& e, glm::dvec2 low, glm::dvec2 high)
 void BinEdges(const std::vector<ProjectedEdge>& edges, const std::uint32_t* subset,
   std::size_t count, glm::dvec2 origin, double size, glm::ivec2 cells, EdgeBins& bins)
 {
-  FillBins(
-    count, static_cast<std::size_t>(cells.x) * cells.y,
+  bins.Fill(count, static_cast<std::size_t>(cells.x) * cells.y,
     [&](std::size_t first, std::size_t last, const auto& add) {
       for (std::size_t i = first; i < last; ++i)
       {
         const std::uint32_t edge = subset ? subset[i] : static_cast<std::uint32_t>(i);
         VisitCells(edges[edge], origin, size, cells, [&](int cell) { add(cell, edge); });
       }
-    },
-    bins.Begin, bins.Edges);
+    });
 }
 
 void ProjectEdge(glm::dvec3 a, glm::dvec3 b, const Camera& camera, glm::dvec2 low, glm::dvec2 high,

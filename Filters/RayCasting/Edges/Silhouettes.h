@@ -7,6 +7,7 @@
 #define penumbra_Silhouettes_h
 
 #include "Camera.h"
+#include "Execution/ParallelBins.h"
 #include "MeshEdges.h"
 
 #include <glm/glm.hpp>
@@ -36,12 +37,8 @@ struct ProjectedEdge
   bool IsRound() const { return this->RoundSurface != NoSurface; }
 };
 
-/// Edges binned into the cells of a regular grid, in one array.
-struct EdgeBins
-{
-  std::vector<std::uint32_t> Begin; ///< first entry of each cell in Edges, and the end
-  std::vector<std::uint32_t> Edges;
-};
+/// Indices of edges in the cells of a regular grid.
+using EdgeBins = Bins<std::uint32_t>;
 
 /// Distance in pixels up to which an edge outside a cell is also binned into it. Above
 /// EdgePrecision, so that a pixel has all edges that may affect its corner rays.

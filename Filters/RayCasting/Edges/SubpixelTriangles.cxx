@@ -4,6 +4,7 @@
 
 #include "EdgeConstants.h"
 #include "Surface.h"
+#include "Tiles/ScreenTriangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,29 +12,6 @@
 
 namespace penumbra
 {
-
-namespace
-{
-
-/// Computes the corners of the triangle in the image. Returns false if a corner is behind the
-/// camera.
-bool ProjectTriangle(
-  const Surface& surface, std::uint32_t triangle, const Camera& camera, glm::dvec2 (&corners)[3])
-{
-  const std::array<glm::vec3, 3> points = surface.GetPoints(triangle);
-  for (int i = 0; i < 3; ++i)
-  {
-    const glm::dvec3 p(points[i]);
-    if (!camera.Parallel && camera.Depth(p) <= 0.0)
-    {
-      return false;
-    }
-    corners[i] = camera.Project(p);
-  }
-  return true;
-}
-
-}
 
 bool HasSubpixelTriangles(const Surface& surface, const Camera& camera)
 {
@@ -46,11 +24,12 @@ bool HasSubpixelTriangles(const Surface& surface, const Camera& camera)
   double visible = 0.0;
   for (std::size_t t = 0; t < count; t += stride)
   {
-    glm::dvec2 p[3];
-    if (!ProjectTriangle(surface, static_cast<std::uint32_t>(t), camera, p))
+    const ScreenTriangle triangle(surface.GetPoints(static_cast<std::uint32_t>(t)), camera);
+    if (!triangle.IsWhole())
     {
       continue;
     }
+    const auto& p = triangle.Points;
     const glm::dvec2 low = glm::min(glm::min(p[0], p[1]), p[2]);
     const glm::dvec2 high = glm::max(glm::max(p[0], p[1]), p[2]);
     if (high.x < 0.0 || high.y < 0.0 || low.x > size.x || low.y > size.y)
@@ -59,9 +38,7 @@ bool HasSubpixelTriangles(const Surface& surface, const Camera& camera)
     }
     minimum = glm::max(glm::min(minimum, low), 0.0);
     maximum = glm::min(glm::max(maximum, high), size);
-    const glm::dvec2 d = p[1] - p[0];
-    const glm::dvec2 e = p[2] - p[0];
-    area += 0.5 * std::abs(d.x * e.y - d.y * e.x);
+    area += 0.5 * std::abs(triangle.ComputeDoubleArea());
     visible += 1.0;
   }
   // Small triangles that are sparse in the image are small objects, which are covered exactly.

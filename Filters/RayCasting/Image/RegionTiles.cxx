@@ -78,7 +78,7 @@ int RefineTiles(glm::ivec2 low, glm::ivec2 high, PixelIntegrator& integrator, Im
 std::vector<char> SelectRasterizedTiles(
   const Scene& scene, const IntegrationSettings& integration, const EdgeBins& tileEdges)
 {
-  std::vector<char> selected(tileEdges.Begin.size() - 1, 0);
+  std::vector<char> selected(tileEdges.GetNumberOfBins(), 0);
   if (integration.Rasterize && !integration.Shadows &&
     integration.Method == IntegrationSettings::Methods::Silhouettes &&
     !TileRasterizer::RequiresRays(scene))
@@ -95,7 +95,7 @@ std::vector<char> SelectRasterizedTiles(
                                             : MinimumEdgesOfRasterizedTile;
     for (std::size_t tile = 0; tile < selected.size(); ++tile)
     {
-      selected[tile] = tileEdges.Begin[tile + 1] - tileEdges.Begin[tile] >= minimum;
+      selected[tile] = tileEdges.GetCount(tile) >= minimum;
     }
   }
   return selected;
@@ -128,10 +128,10 @@ RegionTiles::RegionTiles(const CameraRayTracer& tracer, const CornerGrid& grid,
     First(region.Low / TileSide),
     Count((region.High + TileSide - 1) / TileSide - region.Low / TileSide),
     Cells{ glm::dvec2(this->First * TileSide), TileSide, this->Count },
-    Instances(
-      tracer.GetScene(), sceneEdges.EdgesBySurface, this->Cells.Origin, TileSide, this->Count),
-    Outlines(tracer.GetScene(), this->Cells.Origin, TileSide,
-      sceneEdges.EdgesBySurface.empty() ? glm::ivec2(0) : this->Count)
+    Instances(tracer.GetScene(), sceneEdges.EdgesBySurface, this->Cells),
+    Outlines(tracer.GetScene(),
+      sceneEdges.EdgesBySurface.empty() ? TileGrid{ this->Cells.Origin, TileSide, glm::ivec2(0) }
+                                        : this->Cells)
 {
   const Scene& scene = tracer.GetScene();
   const glm::dvec2 low(region.Low);
@@ -147,9 +147,9 @@ RegionTiles::RegionTiles(const CameraRayTracer& tracer, const CornerGrid& grid,
   }
   this->Instances.ProjectLarge(low, high, this->Edges);
   BinEdges(this->Edges, nullptr, this->Edges.size(), this->Cells.Origin, TileSide, this->Count,
-    this->Bins);
+    this->EdgesByTile);
   this->Triangles.emplace(
-    scene, this->Cells, SelectRasterizedTiles(scene, settings.Integration, this->Bins));
+    scene, this->Cells, SelectRasterizedTiles(scene, settings.Integration, this->EdgesByTile));
 }
 
 glm::ivec2 RegionTiles::GetOrigin(int tile) const
@@ -166,8 +166,8 @@ RegionTiles::Rectangle RegionTiles::GetPixels(int tile) const
 template <typename Use>
 void RegionTiles::UseEdges(int tile, const Use& use) const
 {
-  const std::uint32_t* const indices = this->Bins.Edges.data() + this->Bins.Begin[tile];
-  const std::size_t count = this->Bins.Begin[tile + 1] - this->Bins.Begin[tile];
+  const std::uint32_t* const indices = this->EdgesByTile.Get(tile);
+  const std::size_t count = this->EdgesByTile.GetCount(tile);
   const std::size_t shapes = this->Outlines.GetCount(tile) + this->Instances.GetCount(tile);
   if (shapes == 0)
   {
@@ -209,9 +209,9 @@ int RegionTiles::Render(int tile, ImageRegion& region, Totals& totals) const
       this->RenderPixels(pixels, integrator, region);
     }
     unfinished += RefineTiles(pixels.Low, pixels.High, integrator, region);
-    const std::size_t known = this->Bins.Begin[tile + 1] - this->Bins.Begin[tile];
-    totals.Edges +=
-      edges.AreLeftOut || !hasShapes ? 0 : static_cast<long long>(edges.Count - known);
+    totals.Edges += edges.AreLeftOut || !hasShapes
+      ? 0
+      : static_cast<long long>(edges.Count - this->EdgesByTile.GetCount(tile));
     totals.Rays += integrator.GetPixel().Rays;
     totals.Pixels += integrator.GetPixel().Pixels;
   });

@@ -6,10 +6,10 @@
 #define penumbra_RegionTiles_h
 
 #include "Coverage/PixelIntegrator.h"
+#include "Edges/InstanceEdges.h"
 #include "Edges/RoundOutlines.h"
 #include "ImageRegion.h"
-#include "InstanceEdges.h"
-#include "Rasterization/TriangleBins.h"
+#include "Tiles/TriangleBins.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -72,7 +72,7 @@ private:
   TileGrid Cells;
   std::vector<ProjectedEdge> Edges;
   InstanceEdges Instances;
-  EdgeBins Bins;
+  EdgeBins EdgesByTile;
   RoundOutlines Outlines;
   std::optional<TriangleBins> Triangles;
 };

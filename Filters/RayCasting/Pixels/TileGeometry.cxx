@@ -22,7 +22,7 @@ TileGeometry::TileGeometry(const TileEdges& edges, glm::ivec2 origin, int side,
   BinEdges(
     edges.All, edges.Indices, edges.Count, glm::dvec2(origin), 1.0, glm::ivec2(side), this->Lists);
   const std::size_t area = static_cast<std::size_t>(side) * side;
-  const std::size_t count = this->Lists.Edges.size();
+  const std::size_t count = this->Lists.GetNumberOfValues();
   this->IsCrowded = count > CrowdedEdgesPerPixel * area;
   this->RasterizesAll = rasterizer && count > RasterizedEdgesPerPixel * area;
 }

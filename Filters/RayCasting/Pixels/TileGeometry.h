@@ -53,8 +53,7 @@ public:
   {
     const glm::ivec2 p = pixel - this->Origin;
     const std::size_t cell = static_cast<std::size_t>(p.y) * this->Side + p.x;
-    return { this->Lists.Edges.data() + this->Lists.Begin[cell],
-      this->Lists.Begin[cell + 1] - this->Lists.Begin[cell] };
+    return { this->Lists.Get(cell), this->Lists.GetCount(cell) };
   }
 
   /// Returns true if a surface is dense, see SurfaceFlags.

@@ -6,6 +6,7 @@
 #include "Embree/RoundIntersection.h"
 #include "Scene.h"
 #include "Surface.h"
+#include "Tiles/ScreenTriangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,9 @@ namespace penumbra
 
 namespace
 {
+
+/// Triangles with a smaller area, doubled, in pixels are seen edge-on.
+constexpr double MinimumDoubleArea = 1e-9;
 
 /// A point of the axis of a tube, the radius there, and its distance from a line.
 struct AxisPoint
@@ -84,55 +88,42 @@ double Cross(glm::dvec2 a, glm::dvec2 b)
   return a.x * b.y - a.y * b.x;
 }
 
-/// A triangle in pixel coordinates, with a value that is linear in them: 1/depth in perspective
-/// projection, depth in parallel projection.
-struct ProjectedTriangle
+/// A triangle relative to the lower left corner of a pixel, with the plane of its keys.
+struct PixelTriangle
 {
-  glm::dvec2 Corners[3];
-  double DoubleArea; ///< signed
-  glm::dvec2 Gradient;
-  double ValueAtOrigin;
-};
+  ScreenTriangle Projected;
+  double DoubleArea = 0.0;
+  glm::dvec2 Gradient{ 0.0 };
+  double ValueAtOrigin = 0.0;
+  bool IsUsable = false; ///< false if the near plane cuts the triangle, or it is seen edge-on
 
-bool ProjectTriangle(
-  const Scene& scene, PrimitiveId id, glm::dvec2 origin, ProjectedTriangle& projected)
-{
-  const Surface& surface = scene.Surfaces[id.Surface];
-  const std::array<glm::vec3, 3> points = surface.GetPoints(id.Primitive);
-  double linear[3];
-  for (int i = 0; i < 3; ++i)
+  PixelTriangle(const Scene& scene, PrimitiveId id, glm::dvec2 origin)
+    : Projected(scene.Surfaces[id.Surface].GetPoints(id.Primitive), scene.ViewCamera)
   {
-    const glm::dvec3 p(points[i]);
-    const double depth = scene.ViewCamera.Depth(p);
-    if (!scene.ViewCamera.Parallel && depth <= scene.ViewCamera.Near)
+    if (!this->Projected.IsWhole())
     {
-      return false;
+      return;
     }
-    projected.Corners[i] = scene.ViewCamera.Project(p) - origin;
-    linear[i] = scene.ViewCamera.Parallel ? depth : 1.0 / depth;
+    this->Projected.MoveOrigin(origin);
+    this->DoubleArea = this->Projected.ComputeDoubleArea();
+    this->IsUsable = !(std::abs(this->DoubleArea) < MinimumDoubleArea);
+    if (this->IsUsable)
+    {
+      const LinearValue<double> keys = this->Projected.MakeKeyPlane();
+      this->Gradient = glm::dvec2(keys.SlopeX, keys.SlopeY);
+      this->ValueAtOrigin = keys.Value;
+    }
   }
-  const glm::dvec2 d = projected.Corners[1] - projected.Corners[0];
-  const glm::dvec2 e = projected.Corners[2] - projected.Corners[0];
-  projected.DoubleArea = Cross(d, e);
-  if (std::abs(projected.DoubleArea) < 1e-9)
-  {
-    return false; // edge-on
-  }
-  const double u = linear[1] - linear[0];
-  const double v = linear[2] - linear[0];
-  projected.Gradient = glm::dvec2(u * e.y - v * d.y, v * d.x - u * e.x) / projected.DoubleArea;
-  projected.ValueAtOrigin = linear[0] - glm::dot(projected.Gradient, projected.Corners[0]);
-  return true;
-}
+};
 
 /// Narrows [enter, leave] to the range of t for which p + t * d is inside the triangle.
 void ClipToTriangle(
-  const ProjectedTriangle& triangle, glm::dvec2 p, glm::dvec2 d, double& enter, double& leave)
+  const PixelTriangle& triangle, glm::dvec2 p, glm::dvec2 d, double& enter, double& leave)
 {
   for (int i = 0; i < 3; ++i)
   {
-    const glm::dvec2 corner = triangle.Corners[i];
-    const glm::dvec2 side = triangle.Corners[(i + 1) % 3] - corner;
+    const glm::dvec2 corner = triangle.Projected.Points[i];
+    const glm::dvec2 side = triangle.Projected.Points[(i + 1) % 3] - corner;
     const double sign = triangle.DoubleArea > 0.0 ? 1.0 : -1.0;
     const double distance = sign * Cross(side, p - corner);
     const double rate = sign * Cross(side, d);
@@ -202,28 +193,30 @@ double MaximumDepthInPixel(const Scene& scene, PrimitiveId id, glm::dvec2 origin
   {
     return MaximumRoundDepthInPixel(scene, id, origin);
   }
-  ProjectedTriangle projected;
-  if (!ProjectTriangle(scene, id, origin, projected))
+  const PixelTriangle triangle(scene, id, origin);
+  if (!triangle.IsUsable)
   {
     return std::numeric_limits<double>::infinity();
   }
-  const glm::dvec2 low = glm::min(projected.Gradient, 0.0);
-  const glm::dvec2 high = glm::max(projected.Gradient, 0.0);
+  const glm::dvec2 low = glm::min(triangle.Gradient, 0.0);
+  const double minimum = triangle.ValueAtOrigin + low.x + low.y;
   if (scene.ViewCamera.Parallel)
   {
-    return projected.ValueAtOrigin + high.x + high.y;
+    return -minimum;
   }
-  const double minimum = projected.ValueAtOrigin + low.x + low.y;
   return minimum > 0.0 ? 1.0 / minimum : std::numeric_limits<double>::infinity();
 }
 
 bool IntersectTriangles(
   const Scene& scene, PrimitiveId a, PrimitiveId b, glm::dvec2 origin, PixelSegment& segment)
 {
-  ProjectedTriangle s;
-  ProjectedTriangle t;
-  if (HaveCommonEdge(scene, a, b) || !ProjectTriangle(scene, a, origin, s) ||
-    !ProjectTriangle(scene, b, origin, t))
+  if (HaveCommonEdge(scene, a, b))
+  {
+    return false;
+  }
+  const PixelTriangle s(scene, a, origin);
+  const PixelTriangle t(scene, b, origin);
+  if (!s.IsUsable || !t.IsUsable)
   {
     return false;
   }

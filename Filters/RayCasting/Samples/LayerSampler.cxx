@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LayerSampler.h"
 
-#include "Rasterization/ProjectedTriangle.h"
 #include "Sampling/EdgeBlending.h"
 #include "Scene.h"
 #include "Surface.h"
+#include "Tiles/ScreenTriangle.h"
 
 #include <array>
 #include <cstddef>
@@ -34,22 +34,14 @@ PixelTexture FindTexture(
   PixelTexture texture;
   texture.Image = surface.LitTexture.get();
   const glm::uvec3 corners = surface.GetCorners(triangle);
-  const ProjectedTriangle projected(surface.GetPoints(triangle), camera);
+  const ScreenTriangle projected(surface.GetPoints(triangle), camera);
   glm::dvec3 values[3];
   for (int i = 0; i < 3; ++i)
   {
     const double weight = camera.Parallel ? 1.0 : projected.Keys[i];
     values[i] = weight * glm::dvec3(surface.TextureCoordinates[corners[i]], 1.0);
   }
-  const glm::dvec2 a = projected.Points[0] - pixel;
-  const glm::dvec2 ab = projected.Points[1] - projected.Points[0];
-  const glm::dvec2 ac = projected.Points[2] - projected.Points[0];
-  const double area = ab.x * ac.y - ab.y * ac.x;
-  const glm::dvec3 u = values[1] - values[0];
-  const glm::dvec3 v = values[2] - values[0];
-  texture.SlopeX = (u * ac.y - v * ab.y) / area;
-  texture.SlopeY = (v * ab.x - u * ac.x) / area;
-  texture.Value = values[0] - texture.SlopeX * a.x - texture.SlopeY * a.y;
+  texture.Coordinates = projected.MakePlane(values[0], values[1], values[2], pixel);
   return texture;
 }
 
@@ -178,7 +170,7 @@ void LayerSampler::ShadeLayer(SampledPixel& pixel, std::uint32_t layer, PixelLay
     constant.Id = id;
     constant.Of = &this->Pixel.Tracer.GetScene().Surfaces[id.Surface];
     const std::array<glm::vec3, 3> points = constant.Of->GetPoints(id.Primitive);
-    const ProjectedTriangle projected(points, this->Pixel.Tracer.GetCamera());
+    const ScreenTriangle projected(points, this->Pixel.Tracer.GetCamera());
     const LayerColor shaded = this->Pixel.Tracer.ShadeLayer(
       (projected.Points[0] + projected.Points[1] + projected.Points[2]) / 3.0, id,
       this->Pixel.Rays);

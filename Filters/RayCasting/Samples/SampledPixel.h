@@ -8,6 +8,7 @@
 #include "Pixels/IntegrationSettings.h"
 #include "Sampling/CameraRayTracer.h"
 #include "Shading/SurfaceColor.h"
+#include "Tiles/ScreenTriangle.h"
 
 #include <glm/glm.hpp>
 
@@ -33,14 +34,13 @@ enum class SampleSource
 struct PixelTexture
 {
   const Texture* Image = nullptr;
-  glm::dvec3 Value{ 0.0 }; ///< at the origin of the pixel
-  glm::dvec3 SlopeX{ 0.0 };
-  glm::dvec3 SlopeY{ 0.0 };
+  LinearValue<glm::dvec3> Coordinates{}; ///< relative to the origin of the pixel
 
   glm::vec2 At(glm::vec2 point) const
   {
-    const glm::dvec3 p = this->Value + static_cast<double>(point.x) * this->SlopeX +
-      static_cast<double>(point.y) * this->SlopeY;
+    const glm::dvec3 p = this->Coordinates.Value +
+      static_cast<double>(point.x) * this->Coordinates.SlopeX +
+      static_cast<double>(point.y) * this->Coordinates.SlopeY;
     return glm::vec2(p.x / p.z, p.y / p.z);
   }
 };

@@ -135,16 +135,16 @@ std::optional<PixelResult> IntegrateTexels(PixelContext& context, const TileRast
   color.Id = rasterizer.GetLayer(0);
   color.Of = &context.Tracer.GetScene().Surfaces[color.Id.Surface];
   ShadePartOfLayer(context, rasterizer, 0, pixel, color);
-  const PixelTexture& coordinates = pixel.Textures[color.Texture];
-  const Texture& texture = *coordinates.Image;
+  const PixelTexture& found = pixel.Textures[color.Texture];
+  const Texture& texture = *found.Image;
   if (texture.Interpolate)
   {
     return std::nullopt;
   }
   const glm::dvec2 size(texture.Width, texture.Height);
   const auto getLinear = [&](int component) {
-    return Linear(
-      coordinates.Value[component], coordinates.SlopeX[component], coordinates.SlopeY[component]);
+    return Linear(found.Coordinates.Value[component], found.Coordinates.SlopeX[component],
+      found.Coordinates.SlopeY[component]);
   };
   const Linear column = size.x * getLinear(0);
   const Linear row = size.y * getLinear(1);

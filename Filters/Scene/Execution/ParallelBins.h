@@ -19,15 +19,36 @@ namespace penumbra
 /// Maximum number of counters of all tasks, one per bin and task.
 constexpr std::size_t MaximumBinCounters = 1 << 22;
 
-/**
- * Fills `bins` bins with values: those of bin i are values[begin[i]] to values[begin[i + 1] - 1], in
- * the order of the items that add them. visit(first, last, add) calls add(bin, value) for the items
- * in [first, last) of [0, count). It is called twice for each part, in several threads, and must do
- * the same each time. A bin has less than 2^32 values.
- */
-template <typename Value, typename Offset, typename Visit>
-void FillBins(std::size_t count, std::size_t bins, const Visit& visit, std::vector<Offset>& begin,
-  std::vector<Value>& values)
+/// Values sorted into bins, in one array.
+template <typename Value>
+class Bins
+{
+public:
+  /**
+   * Fills `bins` bins with values, in the order of the items that add them. visit(first, last, add)
+   * calls add(bin, value) for the items in [first, last) of [0, count). It is called twice for each
+   * part, in several threads, and must do the same each time. A bin has less than 2^32 values.
+   */
+  template <typename Visit>
+  void Fill(std::size_t count, std::size_t bins, const Visit& visit);
+
+  /// Returns the number of bins: 0 before Fill().
+  std::size_t GetNumberOfBins() const { return this->Ends.size() - 1; }
+  std::size_t GetNumberOfValues() const { return this->Values.size(); }
+  std::size_t GetCount(std::size_t bin) const { return this->Ends[bin + 1] - this->Ends[bin]; }
+  /// Returns the values of a bin.
+  const Value* Get(std::size_t bin) const { return this->Values.data() + this->Ends[bin]; }
+
+private:
+  std::vector<std::size_t> Ends{
+    0
+  }; ///< end of each bin in Values, after the beginning of the first
+  std::vector<Value> Values;
+};
+
+template <typename Value>
+template <typename Visit>
+void Bins<Value>::Fill(std::size_t count, std::size_t bins, const Visit& visit)
 {
   const std::size_t maximumParts = std::max<std::size_t>(MaximumBinCounters / (bins + 1), 1);
   const std::vector<std::size_t> boundaries =
@@ -40,8 +61,7 @@ void FillBins(std::size_t count, std::size_t bins, const Visit& visit, std::vect
     visit(boundaries[part], boundaries[part + 1],
       [&](std::size_t bin, const Value&) { ++counts[part][bin]; });
   });
-  begin.resize(bins + 1);
-  begin[0] = 0;
+  this->Ends.resize(bins + 1);
   for (std::size_t bin = 0; bin < bins; ++bin)
   {
     std::uint32_t sum = 0;
@@ -49,12 +69,12 @@ void FillBins(std::size_t count, std::size_t bins, const Visit& visit, std::vect
     {
       sum += std::exchange(inPart[bin], sum);
     }
-    begin[bin + 1] = begin[bin] + sum;
+    this->Ends[bin + 1] = this->Ends[bin] + sum;
   }
-  values.resize(begin[bins]);
+  this->Values.resize(this->Ends[bins]);
   ParallelFor<std::size_t>(0, parts, 1, [&](std::size_t part) {
     visit(boundaries[part], boundaries[part + 1], [&](std::size_t bin, const Value& value) {
-      values[begin[bin] + counts[part][bin]++] = value;
+      this->Values[this->Ends[bin] + counts[part][bin]++] = value;
     });
   });
 }

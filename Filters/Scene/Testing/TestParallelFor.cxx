@@ -124,32 +124,27 @@ TEST_P(WithThreadsTest, InnerLoopsRunInOneThread)
 TEST_P(WithThreadsTest, BinsHaveTheOrderOfTheItems)
 {
   constexpr std::size_t Count = 100000;
-  constexpr std::size_t Bins = 37;
-  std::vector<std::vector<int>> expected(Bins);
+  constexpr std::size_t NumberOfBins = 37;
+  std::vector<std::vector<int>> expected(NumberOfBins);
   for (std::size_t i = 0; i < Count; ++i)
   {
-    expected[i * i % Bins].push_back(static_cast<int>(i));
+    expected[i * i % NumberOfBins].push_back(static_cast<int>(i));
     expected[(i + 1) % 5].push_back(static_cast<int>(i));
   }
-  std::vector<std::size_t> begin;
-  std::vector<int> values;
+  Bins<int> bins;
   WithThreads(GetParam(), [&] {
-    FillBins(
-      Count, Bins,
-      [&](std::size_t first, std::size_t last, const auto& add) {
-        for (std::size_t i = first; i < last; ++i)
-        {
-          add(i * i % Bins, static_cast<int>(i));
-          add((i + 1) % 5, static_cast<int>(i));
-        }
-      },
-      begin, values);
+    bins.Fill(Count, NumberOfBins, [&](std::size_t first, std::size_t last, const auto& add) {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        add(i * i % NumberOfBins, static_cast<int>(i));
+        add((i + 1) % 5, static_cast<int>(i));
+      }
+    });
   });
-  ASSERT_EQ(begin.size(), Bins + 1);
-  for (std::size_t bin = 0; bin < Bins; ++bin)
+  ASSERT_EQ(bins.GetNumberOfBins(), NumberOfBins);
+  for (std::size_t bin = 0; bin < NumberOfBins; ++bin)
   {
-    EXPECT_EQ(std::vector<int>(values.begin() + begin[bin], values.begin() + begin[bin + 1]),
-      expected[bin]);
+    EXPECT_EQ(std::vector<int>(bins.Get(bin), bins.Get(bin) + bins.GetCount(bin)), expected[bin]);
   }
 }
 

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Projection of a triangle to the image, and the cells of a grid that it overlaps.
-#ifndef penumbra_ProjectedTriangle_h
-#define penumbra_ProjectedTriangle_h
+// The projection of a triangle to the image: its corners, values that are linear in the image, and the
+// cells of a grid that it overlaps.
+#ifndef penumbra_ScreenTriangle_h
+#define penumbra_ScreenTriangle_h
 
 #include "Camera.h"
 
@@ -17,8 +18,17 @@
 namespace penumbra
 {
 
+/// A value that is linear in the image.
+template <typename Scalar>
+struct LinearValue
+{
+  Scalar Value; ///< at the origin
+  Scalar SlopeX;
+  Scalar SlopeY;
+};
+
 /// The part of a triangle behind the near plane, in image coordinates (pixels).
-struct ProjectedTriangle
+struct ScreenTriangle
 {
   std::array<glm::dvec2, 4> Points;
   /// Values at the points that are linear in the image: 1 / depth in perspective projection, -depth
@@ -27,11 +37,55 @@ struct ProjectedTriangle
   int Count = 0;          ///< 0: nothing is visible
   bool IsClipped = false; ///< the near plane intersects the triangle
 
-  ProjectedTriangle(const std::array<glm::vec3, 3>& points, const Camera& camera);
+  ScreenTriangle(const std::array<glm::vec3, 3>& points, const Camera& camera);
+
+  /// Returns true if the near plane does not cut the triangle, which then has three points.
+  bool IsWhole() const { return this->Count == 3 && !this->IsClipped; }
+
+  /// Makes the coordinates relative to `origin`.
+  void MoveOrigin(glm::dvec2 origin)
+  {
+    for (int i = 0; i < this->Count; ++i)
+    {
+      this->Points[i] -= origin;
+    }
+  }
+
+  /// Returns twice the signed area of a whole triangle.
+  double ComputeDoubleArea() const
+  {
+    const glm::dvec2 ab = this->Points[1] - this->Points[0];
+    const glm::dvec2 ac = this->Points[2] - this->Points[0];
+    return ab.x * ac.y - ab.y * ac.x;
+  }
+
+  /// Returns the value, linear relative to `origin`, that is a, b, c at the points of a whole triangle,
+  /// whose area is not 0.
+  template <typename Scalar>
+  LinearValue<Scalar> MakePlane(
+    const Scalar& a, const Scalar& b, const Scalar& c, glm::dvec2 origin = glm::dvec2(0.0)) const
+  {
+    const glm::dvec2 ab = this->Points[1] - this->Points[0];
+    const glm::dvec2 ac = this->Points[2] - this->Points[0];
+    const double area = ab.x * ac.y - ab.y * ac.x;
+    const Scalar u = b - a;
+    const Scalar v = c - a;
+    LinearValue<Scalar> plane;
+    plane.SlopeX = (u * ac.y - v * ab.y) / area;
+    plane.SlopeY = (v * ab.x - u * ac.x) / area;
+    const glm::dvec2 p = this->Points[0] - origin;
+    plane.Value = a - plane.SlopeX * p.x - plane.SlopeY * p.y;
+    return plane;
+  }
+
+  /// Returns the plane of Keys.
+  LinearValue<double> MakeKeyPlane() const
+  {
+    return this->MakePlane(this->Keys[0], this->Keys[1], this->Keys[2]);
+  }
 };
 
-inline ProjectedTriangle::ProjectedTriangle(
-  const std::array<glm::vec3, 3>& points, const Camera& camera)
+inline ScreenTriangle::ScreenTriangle(const std::array<glm::vec3, 3>& points, const Camera& camera)
 {
   const double near = std::max(camera.Near, camera.Parallel ? -1e300 : 1e-9);
   const auto add = [&](glm::dvec3 x, double depth) {
@@ -65,7 +119,7 @@ inline ProjectedTriangle::ProjectedTriangle(
  * `origin`.
  */
 template <typename Visit>
-void VisitCells(const ProjectedTriangle& triangle, double margin, glm::dvec2 origin, double size,
+void VisitCells(const ScreenTriangle& triangle, double margin, glm::dvec2 origin, double size,
   glm::ivec2 cells, const Visit& visit)
 {
   if (triangle.Count == 0)

@@ -1,13 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Layers in TileRasterizer: all triangles at the samples of a pixel, in the order in which rays meet
-// them.
-#include "TileRasterizer.h"
+#include "PixelLayers.h"
 
 #include "Embree/CoincidentSurfaces.h"
-#include "Scene.h"
-#include "Surface.h"
 #include "Vectorized.h"
 
 #include <algorithm>
@@ -50,53 +45,45 @@ void FindKeys(const float* __restrict xs, const float* __restrict ys, int count,
 
 }
 
-bool TileRasterizer::HasLines() const
+void PixelLayers::SortTriangles(const PixelTriangles& pixel)
 {
-  const std::vector<Surface>& surfaces = this->Rays.GetScene().Surfaces;
-  return std::any_of(
-    this->Selected.begin(), this->Selected.end(), [&](const PixelTriangle& triangle) {
-      return surfaces[this->Ids[triangle.Index].Surface].IsLineOrPoint;
-    });
-}
-
-void TileRasterizer::SortLayers()
-{
-  this->LayerOrder.clear();
-  this->LayerErrors.clear();
-  this->LargestLayerError = 0.f;
+  this->Order.clear();
+  this->Errors.clear();
+  this->LargestError = 0.f;
   this->HasOpaqueTriangles = false;
-  for (const PixelTriangle& triangle : this->Selected)
+  for (const PixelTriangle& triangle : pixel.Get())
   {
     const LinearValue<float>& key = triangle.Key;
-    this->LayerOrder.push_back({ key.Value + 0.5f * (key.SlopeX + key.SlopeY),
-      static_cast<std::uint32_t>(this->LayerOrder.size()) });
-    this->LayerErrors.push_back(triangle.KeyError);
-    this->LargestLayerError = std::max(this->LargestLayerError, triangle.KeyError);
+    this->Order.push_back({ key.Value + 0.5f * (key.SlopeX + key.SlopeY),
+      static_cast<std::uint32_t>(this->Order.size()) });
+    this->Errors.push_back(triangle.KeyError);
+    this->LargestError = std::max(this->LargestError, triangle.KeyError);
     this->HasOpaqueTriangles = this->HasOpaqueTriangles || !triangle.IsLayer;
   }
-  std::sort(this->LayerOrder.begin(), this->LayerOrder.end(),
-    [](const LayerCandidate& a, const LayerCandidate& b) {
+  std::sort(
+    this->Order.begin(), this->Order.end(), [](const LayerCandidate& a, const LayerCandidate& b) {
       return a.Key != b.Key ? a.Key > b.Key : a.Layer < b.Layer;
     });
 }
 
 // Finds the candidates at the points of some rows of cells.
-void TileRasterizer::CoverRows(const SamplePoints& points, int firstRow, int rows)
+void PixelLayers::CoverRows(
+  const PixelTriangles& pixel, const SamplePoints& points, int firstRow, int rows)
 {
   const int perCell = points.GetCountPerCell();
   const int perRow = perCell * SamplePoints::CellsPerSide;
   const int lastRow = firstRow + rows - 1;
-  const std::size_t stride = this->Selected.size();
+  const std::size_t stride = pixel.Get().size();
   const std::size_t count = static_cast<std::size_t>(rows) * perRow;
-  this->LayerKeys.resize(count);
-  this->LayerSides.resize(count);
+  this->Keys.resize(count);
+  this->Sides.resize(count);
   // One more, because a candidate is written before it is known to be one.
   this->Candidates.resize(std::max(this->Candidates.size(), count * stride + 1));
   this->CandidateCounts.assign(count, 0);
-  for (const LayerCandidate& layer : this->LayerOrder)
+  for (const LayerCandidate& layer : this->Order)
   {
     const std::uint32_t index = layer.Layer;
-    const PixelTriangle& triangle = this->Selected[index];
+    const PixelTriangle& triangle = pixel.Get()[index];
     const int low = std::max<int>(triangle.FirstRow, firstRow);
     const int high = std::min<int>(triangle.LastRow, lastRow);
     if (low > high)
@@ -109,21 +96,22 @@ void TileRasterizer::CoverRows(const SamplePoints& points, int firstRow, int row
       (high - firstRow) * perRow + (rows == 1 ? (triangle.LastColumn + 1) * perCell : perRow);
     const int first = firstRow * perRow + begin;
     FindKeys(points.X.data() + first, points.Y.data() + first, end - begin, triangle.Sides,
-      triangle.Key, this->LayerKeys.data(), this->LayerSides.data());
+      triangle.Key, this->Keys.data(), this->Sides.data());
     for (int i = begin; i < end; ++i)
     {
       std::uint32_t& number = this->CandidateCounts[i];
-      this->Candidates[i * stride + number] = { this->LayerKeys[i - begin], index };
-      number += this->LayerSides[i - begin] >= 0.f ? 1 : 0;
+      this->Candidates[i * stride + number] = { this->Keys[i - begin], index };
+      number += this->Sides[i - begin] >= 0.f ? 1 : 0;
     }
   }
 }
 
 // Sorts the candidates of a point. Returns the end of those that are layers.
-LayerCandidate* TileRasterizer::SelectLayers(LayerCandidate* begin, LayerCandidate* end) const
+LayerCandidate* PixelLayers::SelectLayers(
+  const PixelTriangles& pixel, LayerCandidate* begin, LayerCandidate* end) const
 {
   // A ray continues behind a hit, whose distance is rounded.
-  const auto rounding = static_cast<float>(RoundingError * std::abs(this->ReferenceKey));
+  const auto rounding = static_cast<float>(RoundingError * std::abs(pixel.GetReferenceKey()));
   for (LayerCandidate* next = begin; next < end; ++next)
   {
     const LayerCandidate candidate = *next;
@@ -139,9 +127,9 @@ LayerCandidate* TileRasterizer::SelectLayers(LayerCandidate* begin, LayerCandida
   {
     gap = std::min(gap, next[0].Key - next[1].Key);
   }
-  if (gap <= std::max(2.f * this->LargestLayerError, rounding))
+  if (gap <= std::max(2.f * this->LargestError, rounding))
   {
-    end = this->SelectCoincident(begin, end);
+    end = this->SelectCoincident(pixel, begin, end);
   }
   if (!this->HasOpaqueTriangles)
   {
@@ -149,7 +137,7 @@ LayerCandidate* TileRasterizer::SelectLayers(LayerCandidate* begin, LayerCandida
   }
   for (LayerCandidate* next = begin; next < end; ++next)
   {
-    if (!this->Selected[next->Layer].IsLayer)
+    if (!pixel.Get()[next->Layer].IsLayer)
     {
       return next + 1;
     }
@@ -159,17 +147,18 @@ LayerCandidate* TileRasterizer::SelectLayers(LayerCandidate* begin, LayerCandida
 
 // Of triangles that single precision cannot separate from the nearest one, keeps those that a ray
 // meets, in the order of CoincidentSurfaces.
-LayerCandidate* TileRasterizer::SelectCoincident(LayerCandidate* begin, LayerCandidate* end) const
+LayerCandidate* PixelLayers::SelectCoincident(
+  const PixelTriangles& pixel, LayerCandidate* begin, LayerCandidate* end) const
 {
-  const CoincidentSurfaces& surfaces = this->Rays.GetCoincidentSurfaces();
-  const auto rounding = static_cast<float>(RoundingError * std::abs(this->ReferenceKey));
+  const CoincidentSurfaces& surfaces = pixel.GetCoincidentSurfaces();
+  const auto rounding = static_cast<float>(RoundingError * std::abs(pixel.GetReferenceKey()));
   LayerCandidate* kept = begin;
   for (LayerCandidate *first = begin, *last = begin; first < end; first = last)
   {
-    const float error = this->LayerErrors[first->Layer];
+    const float error = this->Errors[first->Layer];
     for (last = first + 1; last < end; ++last)
     {
-      const float other = this->LayerErrors[last->Layer];
+      const float other = this->Errors[last->Layer];
       const float both = error > 0.f && other > 0.f ? error + other : 0.f;
       if (first->Key - last->Key > std::max(both, rounding))
       {
@@ -179,15 +168,15 @@ LayerCandidate* TileRasterizer::SelectCoincident(LayerCandidate* begin, LayerCan
     if (last - first > 1)
     {
       std::sort(first, last, [&](const LayerCandidate& a, const LayerCandidate& b) {
-        const PrimitiveId p = this->GetLayer(a.Layer);
-        const PrimitiveId q = this->GetLayer(b.Layer);
+        const PrimitiveId p = pixel.GetId(a.Layer);
+        const PrimitiveId q = pixel.GetId(b.Layer);
         return surfaces.IsInFront(p.Surface, p.Primitive, q.Surface, q.Primitive);
       });
     }
     int next = 0;
     for (const LayerCandidate* candidate = first; candidate < last; ++candidate)
     {
-      const std::uint32_t surface = this->GetLayer(candidate->Layer).Surface;
+      const std::uint32_t surface = pixel.GetId(candidate->Layer).Surface;
       if (last - first == 1 || surfaces.GetDrawOrder(surface) >= next)
       {
         next = surfaces.DepthTolerance(surface) > 0.f ? surfaces.GetNextInOrder(surface)
@@ -197,35 +186,6 @@ LayerCandidate* TileRasterizer::SelectCoincident(LayerCandidate* begin, LayerCan
     }
   }
   return kept;
-}
-
-LayerPolygon TileRasterizer::ClipLayer(std::uint32_t layer) const
-{
-  const PixelTriangle& triangle = this->Selected[layer];
-  LayerPolygon polygon{ { { { 0.f, 0.f }, { 1.f, 0.f }, { 1.f, 1.f }, { 0.f, 1.f } } }, 4 };
-  for (int side = 0; side < 3 && !triangle.IsFull; ++side)
-  {
-    const LinearValue<float>& f = triangle.Sides[side];
-    const auto evaluate = [&](glm::vec2 p) { return f.Value + f.SlopeX * p.x + f.SlopeY * p.y; };
-    LayerPolygon clipped;
-    for (int i = 0; i < polygon.Count; ++i)
-    {
-      const glm::vec2 p = polygon.Points[i];
-      const glm::vec2 q = polygon.Points[i + 1 < polygon.Count ? i + 1 : 0];
-      const float a = evaluate(p);
-      const float b = evaluate(q);
-      if (a >= 0.f)
-      {
-        clipped.Points[clipped.Count++] = p;
-      }
-      if ((a < 0.f) != (b < 0.f))
-      {
-        clipped.Points[clipped.Count++] = p + a / (a - b) * (q - p);
-      }
-    }
-    polygon = clipped;
-  }
-  return polygon;
 }
 
 }

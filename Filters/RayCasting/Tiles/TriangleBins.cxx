@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleBins.h"
 
-#include "Execution/ParallelBins.h"
-#include "ProjectedTriangle.h"
 #include "Sampling/LayerOrder.h"
 #include "Scene.h"
+#include "ScreenTriangle.h"
 #include "Surface.h"
 
 #include <algorithm>
@@ -21,16 +20,18 @@ namespace
 // Distance in pixels up to which a triangle outside a tile is also binned into it.
 constexpr double Margin = 2e-3;
 
-/// Returns 0 if rays and layers are not required, see TriangleBins::IsComplex() and IsLayer().
 /// `ordered`: the order of drawing decides what is visible, so that opaque surfaces may hide nothing.
-char FindComplexity(const Surface& surface, bool ordered)
+TriangleBins::Visibility FindVisibility(const Surface& surface, bool ordered)
 {
+  using Visibility = TriangleBins::Visibility;
   if (surface.ColorTexture || surface.BaseColorTexture || surface.DetailTextures ||
     (surface.LitTexture && !surface.TextureOnBackfaces))
   {
-    return 1;
+    return Visibility::Rays;
   }
-  return ordered || surface.IsTranslucent() || surface.IsAdditive ? 2 : surface.LitTexture ? 3 : 0;
+  return ordered || surface.IsTranslucent() || surface.IsAdditive ? Visibility::Layers
+    : surface.LitTexture                                          ? Visibility::Textured
+                                                                  : Visibility::Nearest;
 }
 
 /// The triangles of all surfaces that are binned, one after the other.
@@ -74,7 +75,6 @@ private:
 
 TriangleBins::TriangleBins(
   const Scene& scene, const TileGrid& tiles, const std::vector<char>& selected)
-  : Begin(selected.size() + 1, 0)
 {
   if (std::find_if(selected.begin(), selected.end(), [](char c) { return c != 0; }) ==
     selected.end())
@@ -82,15 +82,14 @@ TriangleBins::TriangleBins(
     return;
   }
   const bool ordered = !LayerOrder::FindKinds(scene).empty();
-  std::transform(scene.Surfaces.begin(), scene.Surfaces.end(), std::back_inserter(this->Complex),
-    [=](const Surface& surface) { return FindComplexity(surface, ordered); });
+  std::transform(scene.Surfaces.begin(), scene.Surfaces.end(), std::back_inserter(this->BySurface),
+    [=](const Surface& surface) { return FindVisibility(surface, ordered); });
   const TriangleSequence triangles(scene.Surfaces);
-  FillBins(
-    triangles.GetCount(), selected.size(),
+  this->Triangles.Fill(triangles.GetCount(), selected.size(),
     [&](std::size_t first, std::size_t last, const auto& add) {
       triangles.VisitRange(
         first, last, [&](PrimitiveId id, const std::array<glm::vec3, 3>& points) {
-          VisitCells(ProjectedTriangle(points, scene.ViewCamera), Margin, tiles.Origin, tiles.Side,
+          VisitCells(ScreenTriangle(points, scene.ViewCamera), Margin, tiles.Origin, tiles.Side,
             tiles.Count, [&](int tile) {
               if (selected[tile])
               {
@@ -98,8 +97,7 @@ TriangleBins::TriangleBins(
               }
             });
         });
-    },
-    this->Begin, this->Triangles);
+    });
 }
 
 }
