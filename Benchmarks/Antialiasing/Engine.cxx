@@ -15,6 +15,7 @@
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -106,11 +107,11 @@ void MeasureDenseMesh(Benchmark& benchmark)
   const BruteForceImage truth =
     DrawByBruteForce(BruteForceOf(renderer, size, size), size, size, 128);
   const std::vector<bool> isEdge = SilhouettePixels(truth);
-  const auto best = [&](int method, Answer& answer) {
+  const auto best = [&](penumbra::CoverageMethods method, Answer& answer) {
     for (int i = 0; i < 5; ++i)
     {
       Answer next = Cast(renderer, size, size,
-        [&](vtkPenumbraRayCaster* caster) { caster->SetCoverageMethod(method); });
+        [&](vtkPenumbraRayCaster* caster) { caster->GetConstants().CoverageMethod = method; });
       if (i == 0 || next.Seconds < answer.Seconds)
       {
         answer = std::move(next);
@@ -119,8 +120,8 @@ void MeasureDenseMesh(Benchmark& benchmark)
   };
   Answer ours;
   Answer uniform;
-  best(vtkPenumbraRayCaster::SILHOUETTES, ours);
-  best(vtkPenumbraRayCaster::UNIFORM, uniform);
+  best(penumbra::CoverageMethods::Silhouettes, ours);
+  best(penumbra::CoverageMethods::Uniform, uniform);
   const std::string scene = std::to_string(mesh->GetNumberOfPolys()) + " triangles at 64^2";
   const Errors errors = Judge(benchmark, scene, ours, truth.Colors, isEdge, size);
   const Errors reference = Compare(uniform.Colors, truth.Colors, isEdge);

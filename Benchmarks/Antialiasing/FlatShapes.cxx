@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmark.h"
 
+#include "vtkPenumbraRayCasterConstants.h"
 #include "vtkRenderer.h"
 
 namespace penumbra
@@ -52,7 +53,8 @@ void MeasureFlatShapes(Benchmark& benchmark)
       scene.Worst > 0.0 ? TargetKind::AtMost : TargetKind::None, scene.Worst);
     const Errors uniform = Compare(Cast(renderer, Size, Size,
                                      [](vtkPenumbraRayCaster* caster) {
-                                       caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
+                                       caster->GetConstants().CoverageMethod =
+                                         penumbra::CoverageMethods::Uniform;
                                      })
                                      .Colors,
       WhiteOnBlack(shares), isEdge);

@@ -7,6 +7,7 @@
 #include "Meshes.h"
 #include "PovRay.h"
 
+#include "vtkPenumbraRayCasterConstants.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
@@ -59,8 +60,8 @@ void CompareWithUniform(Benchmark& benchmark, const LitScene& scene, vtkRenderer
   for (int n : { 1, 2, 3, 4, 6, 8, 12, 16 })
   {
     const Answer answer = Cast(renderer, Size, Size, [&](vtkPenumbraRayCaster* caster) {
-      caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-      caster->SetUniformSamples(n);
+      caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+      caster->GetConstants().UniformSamples = n;
     });
     const Errors errors = Compare(answer.Colors, truth, isEdge);
     ladder.emplace_back(errors.Edge, answer.Seconds);

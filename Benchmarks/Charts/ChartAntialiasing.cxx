@@ -14,6 +14,7 @@
 
 #include "vtkCameraPass.h"
 #include "vtkNew.h"
+#include "vtkPenumbraRayCasterConstants.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderStepsPass.h"
@@ -203,8 +204,8 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
   {
     add("rays on a grid", std::to_string(n) + " x " + std::to_string(n), 0.0, [=] {
       return MeasureRays(subject(), [n](vtkPenumbraRayCaster* caster) {
-        caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-        caster->SetUniformSamples(n);
+        caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+        caster->GetConstants().UniformSamples = n;
       });
     });
   }
@@ -212,9 +213,9 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
   {
     add("subdivision as in [AA]", "level " + std::to_string(level), 0.0, [=] {
       return MeasureRays(subject(), [level](vtkPenumbraRayCaster* caster) {
-        caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);
-        caster->SetMaximumLevel(level);
-        caster->FindSmallObjectsOff();
+        caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Subdivision;
+        caster->GetConstants().MaximumLevel = level;
+        caster->GetConstants().FindSmallObjects = false;
       });
     });
   }

@@ -7,6 +7,7 @@
 #include "ClosedForms/HalfPlaneScattering.h"
 #include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -83,12 +84,12 @@ Run ByRays(const std::vector<double>& exact, int steps, double tolerance)
   vtkNew<vtkPenumbraRayCaster> caster;
   caster->SetRenderer(renderer);
   caster->SetResolution(Side, Side);
-  caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-  caster->SetUniformSamples(1);
+  caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+  caster->GetConstants().UniformSamples = 1;
   caster->SetNumberOfThreads(1);
   caster->SetTolerance(tolerance);
   caster->SetMedium(medium);
-  caster->SetLightShaftSteps(steps);
+  caster->GetConstants().LightShaftSteps = steps;
   Run run;
   const double start = Seconds(RUSAGE_SELF);
   caster->Update();

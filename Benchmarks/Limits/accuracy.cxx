@@ -17,6 +17,7 @@
 #include "vtkNew.h"
 #include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
@@ -145,8 +146,8 @@ double ComputeUniformCost(vtkRenderer* renderer, const AccuracyScene& scene,
   {
     const Answer answer =
       Cast(renderer, AccuracyImageSide, AccuracyImageSide, [&](vtkPenumbraRayCaster* caster) {
-        caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-        caster->SetUniformSamples(n);
+        caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+        caster->GetConstants().UniformSamples = n;
         caster->SetShadows(scene.Shadows);
       });
     const Accuracy accuracy =

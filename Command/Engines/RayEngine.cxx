@@ -31,6 +31,7 @@
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 #include "vtkPenumbraVectorExporter.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
@@ -155,8 +156,8 @@ vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(
   caster->SetTolerance(options.Tolerance);
   caster->SetLightTolerance(options.LightTolerance);
   caster->SetTimeLimit(options.TimeLimit);
-  caster->SetMaximumLevel(options.MaximumLevel);
-  caster->SetFindSmallObjects(options.FindSmallObjects);
+  caster->GetConstants().MaximumLevel = options.MaximumLevel;
+  caster->GetConstants().FindSmallObjects = options.FindSmallObjects;
   caster->SetNumberOfThreads(options.Threads);
   caster->SetShadows(options.Shadows || options.LightRadius > 0.0 || options.LightAngle > 0.0);
   caster->SetLightRadius(options.LightRadius);
@@ -198,7 +199,7 @@ vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(
   caster->SetPointRadius(options.PointRadius);
   caster->SetLineRadius(options.LineRadius);
   caster->SetGeometryArrays(HoldsArrays(options.Output));
-  caster->SetOcclusionArray(options.AmbientOcclusion || options.OcclusionArray);
+  caster->GetConstants().OcclusionArray = options.AmbientOcclusion || options.OcclusionArray;
   return caster;
 }
 

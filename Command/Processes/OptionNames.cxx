@@ -56,7 +56,6 @@ std::string NameOptions(std::string message)
     { "Reduce Resolution", "Reduce --resolution" },
     { "LightTolerance", "--light-tolerance" },
     { "Tolerance", "--tolerance" },
-    { "MaximumLevel", "--max-level" },
     { "TimeLimit", "--time-limit" },
     { "LightRadius", "--light-radius" },
     { "LightAngle", "--light-angle" },

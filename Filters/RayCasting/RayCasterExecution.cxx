@@ -67,7 +67,7 @@ bool vtkPenumbraRayCaster::Internals::BeginProvider(vtkPenumbraRayCaster* self)
 {
   const double noise = SampleToleranceFactor * self->GetEffectiveLightTolerance();
   const OcclusionSettings settings = this->FindOcclusion(self);
-  const bool occlusion = settings.On || (self->GeometryArrays && self->OcclusionArray);
+  const bool occlusion = settings.On || (self->GeometryArrays && this->Constants.OcclusionArray);
   const double phaseFraction = occlusion && self->IndirectLight ? 0.5 : 1.0;
   double done = 0.0;
   const auto progress = [&](double fraction) {
@@ -150,7 +150,7 @@ vtkPenumbraRayCaster::Internals::BeginExecution(vtkPenumbraRayCaster* self)
   settings = MakeSettings(self);
   execution->Joins = this->JoinsPixels(self);
   execution->UsesProvider = self->GetAmbientOcclusion() || self->IndirectLight ||
-    (self->GeometryArrays && self->OcclusionArray);
+    (self->GeometryArrays && this->Constants.OcclusionArray);
   if (execution->UsesProvider && !this->BeginProvider(self))
   {
     return nullptr;
@@ -159,7 +159,8 @@ vtkPenumbraRayCaster::Internals::BeginExecution(vtkPenumbraRayCaster* self)
   {
     const OcclusionSettings occlusion = this->FindOcclusion(self);
     settings.Light = this->MakeLightEffects(self);
-    settings.KeepsOcclusion = occlusion.On && self->GeometryArrays && self->OcclusionArray;
+    settings.KeepsOcclusion =
+      occlusion.On && self->GeometryArrays && this->Constants.OcclusionArray;
     tracer.SetLayerLight(occlusion.On, occlusion.Strength);
     shading.SetUniformLight(glm::vec3(settings.Light->GetUniformLight()));
   }
@@ -173,8 +174,9 @@ vtkPenumbraRayCaster::Internals::BeginExecution(vtkPenumbraRayCaster* self)
   }
 
   std::string warning;
-  std::optional<penumbra::LightShafts> made = penumbra::MakeLightShafts(this->Medium, shading,
-    penumbra::ComputeSceneDiagonal(scene), { lightTolerance, self->LightShaftSteps }, warning);
+  std::optional<penumbra::LightShafts> made =
+    penumbra::MakeLightShafts(this->Medium, shading, penumbra::ComputeSceneDiagonal(scene),
+      { lightTolerance, this->Constants.LightShaftSteps }, warning);
   std::optional<penumbra::LightShafts>& shafts = execution->Shafts;
   if (made)
   {
@@ -254,7 +256,7 @@ bool vtkPenumbraRayCaster::Internals::FinishExecution(vtkPenumbraRayCaster* self
   }
   if (self->GeometryArrays)
   {
-    tracer.SetOcclusion(self->OcclusionArray && !execution.Settings.KeepsOcclusion
+    tracer.SetOcclusion(this->Constants.OcclusionArray && !execution.Settings.KeepsOcclusion
         ? this->IrradianceProvider.Get()
         : nullptr,
       self->AmbientOcclusionStrength, SampleToleranceFactor * lightTolerance);
@@ -364,11 +366,7 @@ void vtkPenumbraRayCaster::Internals::AddLayer(
   caster->SetResolution(part.Size[0], part.Size[1]);
   caster->SetTolerance(self->Tolerance);
   caster->SetLightTolerance(self->LightTolerance);
-  caster->SetCoverageMethod(self->CoverageMethod);
-  caster->SetUniformSamples(self->UniformSamples);
-  caster->SetMaximumLevel(self->MaximumLevel);
-  caster->SetFindSmallObjects(self->FindSmallObjects);
-  caster->UsePackets = self->UsePackets;
+  caster->Implementation->Constants = this->Constants;
   caster->SetNumberOfThreads(self->NumberOfThreads);
   caster->SetDPI(self->DPI);
   if (self->TimeLimit > 0.0)

@@ -249,14 +249,13 @@ penumbra::RenderSettings vtkPenumbraRayCaster::Internals::MakeSettings(
   vtkPenumbraRayCaster* self) const
 {
   penumbra::RenderSettings settings;
-  settings.UsePackets = self->UsePackets;
-  settings.Integration.Method =
-    static_cast<penumbra::IntegrationSettings::Methods>(self->CoverageMethod);
+  settings.UsePackets = this->Constants.UsePackets;
+  settings.Integration.Method = this->Constants.CoverageMethod;
   settings.Integration.Tolerance = self->Tolerance;
-  settings.Integration.MaximumLevel = self->MaximumLevel;
-  settings.Integration.FindSmallObjects = self->FindSmallObjects;
+  settings.Integration.MaximumLevel = this->Constants.MaximumLevel;
+  settings.Integration.FindSmallObjects = this->Constants.FindSmallObjects;
   settings.Integration.Shadows = self->GetShadows();
-  settings.Integration.UniformSamples = self->UniformSamples;
+  settings.Integration.UniformSamples = this->Constants.UniformSamples;
   if ((self->GetAmbientOcclusion() || self->IndirectLight) && !this->JoinsPixels(self))
   {
     settings.Integration.LightTolerance = self->GetEffectiveLightTolerance();
@@ -295,6 +294,7 @@ double vtkPenumbraRayCaster::Internals::FindOcclusionRadius(vtkPenumbraRayCaster
 // Occlusion does not act on the light of a medium.
 bool vtkPenumbraRayCaster::Internals::JoinsPixels(vtkPenumbraRayCaster* self) const
 {
-  return this->IrradianceProvider->JoinsPixels() && self->CoverageMethod != UNIFORM &&
+  return this->IrradianceProvider->JoinsPixels() &&
+    this->Constants.CoverageMethod != penumbra::CoverageMethods::Uniform &&
     (this->FindOcclusion(self).On || (self->IndirectLight && self->Albedo > 0.0)) && !this->Medium;
 }

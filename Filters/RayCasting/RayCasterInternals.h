@@ -7,7 +7,6 @@
 
 #include "vtkPenumbraRayCaster.h"
 
-#include "Conventions/ExpertSettings.h"
 #include "Execution/WorkLimit.h"
 #include "Image/ImageRenderer.h"
 #include "Import/SceneExtraction.h"
@@ -22,6 +21,7 @@
 #include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraEnvironment.h"
 #include "vtkPenumbraMedium.h"
+#include "vtkPenumbraRayCasterConstants.h"
 #include "vtkRenderer.h"
 #include "vtkWeakPointer.h"
 
@@ -76,7 +76,7 @@ struct vtkPenumbraRayCaster::Internals
     bool OfRenderer = false; ///< replaces the screen-space ambient occlusion of the renderer
   };
 
-  penumbra::ExpertSettings Experts;
+  penumbra::RayCasterConstants Constants;
   vtkSmartPointer<vtkRenderer> Renderer;
   std::optional<bool> Shadows;          ///< if not set, as Renderer
   std::optional<bool> AmbientOcclusion; ///< if not set, as Renderer

@@ -96,17 +96,14 @@ TileErrors EvaluateTiles(vtkImageData* image, const IntegrationSettings& setting
 }
 
 /// Returns the properties whose increase brings most of the tiles within the tolerance.
-const char* FindRemedy(const TileErrors& tiles, const IntegrationSettings& settings)
+const char* FindRemedy(const TileErrors& tiles)
 {
   const bool light = tiles.AboveLightTolerance > 0;
   if (light && tiles.AboveOther > 0)
   {
     return "Increase Tolerance and LightTolerance.";
   }
-  return light ? "Increase LightTolerance."
-    : settings.Method == IntegrationSettings::Methods::Subdivision
-    ? "Increase Tolerance or MaximumLevel."
-    : "Increase Tolerance.";
+  return light ? "Increase LightTolerance." : "Increase Tolerance.";
 }
 
 }
@@ -120,8 +117,7 @@ ToleranceReport CheckTolerance(const IntegrationSettings& settings, const ImageT
   const bool isReported = timeLimit > 0.0 || tiles.AboveTolerance >= ReportedTiles ||
     tiles.AboveTolerance >= ReportedFraction * static_cast<double>(tiles.Tiles) ||
     error > (1.0 + RoundingError) * limit;
-  const bool hasMethod =
-    timeLimit > 0.0 || settings.Method != IntegrationSettings::Methods::Uniform;
+  const bool hasMethod = timeLimit > 0.0 || settings.Method != CoverageMethods::Uniform;
   ToleranceReport report{ tiles.AboveTolerance, {} };
   if (!isReported || !hasMethod || tiles.AboveTolerance == 0)
   {
@@ -135,7 +131,7 @@ ToleranceReport CheckTolerance(const IntegrationSettings& settings, const ImageT
   text << "The tolerance of " << limit << " was not reached in " << tiles.AboveTolerance << " of "
        << tiles.Tiles << " tiles of 16x16 pixels. The largest estimated error of a tile is "
        << tiles.MaximumError << ". "
-       << (timeLimit > 0.0 ? "Increase TimeLimit." : FindRemedy(tiles, settings));
+       << (timeLimit > 0.0 ? "Increase TimeLimit." : FindRemedy(tiles));
   report.Warning = text.str();
   return report;
 }

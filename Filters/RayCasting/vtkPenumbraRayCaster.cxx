@@ -30,7 +30,6 @@ vtkPenumbraRayCaster::vtkPenumbraRayCaster()
   : Implementation(new Internals)
 {
   this->SetNumberOfInputPorts(1);
-  this->Implementation->Experts.Add("UsePackets", this->UsePackets);
 }
 
 vtkPenumbraRayCaster::~vtkPenumbraRayCaster() = default;
@@ -54,14 +53,10 @@ void vtkPenumbraRayCaster::SetTimeLimit(double seconds)
   }
 }
 
-bool vtkPenumbraRayCaster::SetExpertSetting(const char* name, double value)
+penumbra::RayCasterConstants& vtkPenumbraRayCaster::GetConstants()
 {
-  return this->Implementation->Experts.Set(this, name, value);
-}
-
-double vtkPenumbraRayCaster::GetExpertSetting(const char* name)
-{
-  return this->Implementation->Experts.Get(this, name);
+  this->Modified();
+  return this->Implementation->Constants;
 }
 
 vtkRenderer* vtkPenumbraRayCaster::GetRenderer()
@@ -179,13 +174,6 @@ void vtkPenumbraRayCaster::SetEnvironment(vtkPenumbraEnvironment* environment)
 vtkPenumbraEnvironment* vtkPenumbraRayCaster::GetEnvironment()
 {
   return this->Implementation->Environment;
-}
-
-void vtkPenumbraRayCaster::SetMaximumLevelFromViewing(double distance, double pixelPitch)
-{
-  // The eye resolves 2^-13 rad. A pixel that subtends `angle` is divided 2^L times per side [AA].
-  const double angle = std::atan2(pixelPitch, distance);
-  this->SetMaximumLevel(static_cast<int>(std::ceil(std::log2(std::max(angle * 8192.0, 1.0)))));
 }
 
 vtkFieldData* vtkPenumbraRayCaster::GetStatistics()
@@ -307,17 +295,12 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "LightTolerance: " << this->LightTolerance << "\n";
   os << indent << "TimeLimit: " << this->TimeLimit << "\n";
-  os << indent << "CoverageMethod: " << this->CoverageMethod << "\n";
-  os << indent << "UniformSamples: " << this->UniformSamples << "\n";
-  os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
-  os << indent << "FindSmallObjects: " << this->FindSmallObjects << "\n";
   os << indent << "Shadows: " << this->GetShadows() << "\n";
   os << indent << "LightRadius: " << this->LightRadius << "\n";
   os << indent << "LightAngle: " << this->LightAngle << "\n";
   os << indent << "SizedLights: " << this->Implementation->SizedLights.GetCount() << "\n";
   os << indent << "Environment: " << this->Implementation->Environment.Get() << "\n";
   os << indent << "Medium: " << this->Implementation->Medium.Get() << "\n";
-  os << indent << "LightShaftSteps: " << this->LightShaftSteps << "\n";
   os << indent << "AmbientOcclusion: " << this->GetAmbientOcclusion() << "\n";
   os << indent << "AmbientOcclusionRadius: " << this->AmbientOcclusionRadius << "\n";
   os << indent << "AmbientOcclusionFalloff: " << this->AmbientOcclusionFalloff << "\n";
@@ -328,7 +311,6 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Albedo: " << this->Albedo << "\n";
   os << indent << "Bounces: " << this->Bounces << "\n";
   os << indent << "GeometryArrays: " << this->GeometryArrays << "\n";
-  os << indent << "OcclusionArray: " << this->OcclusionArray << "\n";
   os << indent << "Background: " << this->Background << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "PointRadius: " << this->PointRadius << "\n";
@@ -336,7 +318,6 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DPI: " << this->DPI << "\n";
   os << indent << "Layers: " << this->Layers << "\n";
   os << indent << "KeepScene: " << this->KeepScene << "\n";
-  this->Implementation->Experts.Print(os, indent);
   os << indent << "EstimatedError: " << this->Implementation->EstimatedError << "\n";
   os << indent << "EstimatedLightError: " << this->Implementation->EstimatedLightError << "\n";
 }

@@ -10,8 +10,8 @@
  * camera reset to their bounds.
  *
  * Antialiasing follows [AA]: one ray passes through each pixel corner, and only pixels whose four
- * corners are not sufficient get more work. By default the edges are projected from the geometry
- * and their coverage is exact (SILHOUETTES). The subdivision of the paper can be selected instead.
+ * corners are not sufficient get more work. The edges are projected from the geometry and their
+ * coverage is exact.
  *
  * The class uses no OpenGL and opens no window.
  */
@@ -24,6 +24,10 @@
 
 #include <memory> // for std::unique_ptr
 
+namespace penumbra
+{
+struct RayCasterConstants;
+}
 class vtkFieldData;
 class vtkImageData;
 class vtkLight;
@@ -58,8 +62,7 @@ public:
   ///@{
   /**
    * Accepted RMSE of every tile of 16x16 pixels, for colors in [0, 1], that geometry, shading and
-   * textures cause. Coverage computed from the geometry is exact for any tolerance. UNIFORM ignores
-   * the tolerance. Range: [1e-6, 1]. Default: 1/256.
+   * textures cause. Coverage computed from the geometry is exact for any tolerance. Range: [1e-6, 1]. Default: 1/256.
    */
   vtkSetClampMacro(Tolerance, double, 1e-6, 1.0);
   vtkGetMacro(Tolerance, double);
@@ -90,50 +93,6 @@ public:
    */
   virtual void SetTimeLimit(double seconds);
   vtkGetMacro(TimeLimit, double);
-  ///@}
-
-  /** Methods to compute the fraction of a pixel that a surface covers. */
-  enum CoverageMethods
-  {
-    SILHOUETTES, ///< exact areas between the projected edges of the surfaces; the default
-    SUBDIVISION, ///< [AA]: recursive subdivision by five rays per pixel, down to MaximumLevel
-    UNIFORM      ///< UniformSamples x UniformSamples rays per pixel, for comparison
-  };
-  ///@{
-  /** Method that computes coverage, one of CoverageMethods. Default: SILHOUETTES. */
-  vtkSetClampMacro(CoverageMethod, int, SILHOUETTES, UNIFORM);
-  vtkGetMacro(CoverageMethod, int);
-  ///@}
-
-  ///@{
-  /** Number of samples along each side of a pixel with UNIFORM. Range: [1, 64]. Default: 8. */
-  vtkSetClampMacro(UniformSamples, int, 1, 64);
-  vtkGetMacro(UniformSamples, int);
-  ///@}
-
-  ///@{
-  /**
-   * Maximum level of subdivision; subpixels of level L have the side 2^-L [AA eq. 3].
-   * Range: [0, 6]. Default: 3.
-   */
-  vtkSetClampMacro(MaximumLevel, int, 0, 6);
-  vtkGetMacro(MaximumLevel, int);
-  ///@}
-
-  /**
-   * Set MaximumLevel from the viewing distance and the pixel pitch of the display, both in the same
-   * unit of length. The human eye resolves 2^-13 rad [AA].
-   */
-  void SetMaximumLevelFromViewing(double distance, double pixelPitch);
-
-  ///@{
-  /**
-   * If on, find objects that lie between the corner rays (case 4 of [AA]) by their edges. UNIFORM
-   * ignores it. Default: on.
-   */
-  vtkSetMacro(FindSmallObjects, bool);
-  vtkGetMacro(FindSmallObjects, bool);
-  vtkBooleanMacro(FindSmallObjects, bool);
   ///@}
 
   ///@{
@@ -187,15 +146,6 @@ public:
    */
   virtual void SetMedium(vtkPenumbraMedium* medium);
   vtkPenumbraMedium* GetMedium();
-  ///@}
-
-  ///@{
-  /**
-   * Number of shadow rays per light along a camera ray, in addition to those that locate the
-   * boundaries of shafts. 0: the number that LightTolerance requires. Range: [0, 4096]. Default: 0.
-   */
-  vtkSetClampMacro(LightShaftSteps, int, 0, 4096);
-  vtkGetMacro(LightShaftSteps, int);
   ///@}
 
   ///@{
@@ -297,16 +247,6 @@ public:
 
   ///@{
   /**
-   * If off, GeometryArrays does not compute ambient occlusion: the array `AmbientOcclusion` then
-   * holds NaN at pixels that show a surface. Default: on.
-   */
-  vtkSetMacro(OcclusionArray, bool);
-  vtkGetMacro(OcclusionArray, bool);
-  vtkBooleanMacro(OcclusionArray, bool);
-  ///@}
-
-  ///@{
-  /**
    * If on, render the background. If off, alpha is the covered fraction of the pixel. Default: on.
    */
   vtkSetMacro(Background, bool);
@@ -379,15 +319,11 @@ public:
   vtkGetMacro(LineRadius, double);
   ///@}
 
-  ///@{
   /**
-   * Settings of experts, which no release promises to keep; a benchmark or a test shows what they
-   * change. Values are clamped to their range. Unknown names are an error. Flags are 0 or 1.
-   * - `UsePackets`: trace corner rays in packets of 16. Default: 1.
+   * Constants of the method, for benchmarks and tests. Their names and meanings may change. Marks the
+   * ray caster as modified, so that they may be changed until the next execution.
    */
-  bool SetExpertSetting(const char* name, double value);
-  double GetExpertSetting(const char* name);
-  ///@}
+  penumbra::RayCasterConstants& GetConstants();
 
   /**
    * Render the image of Renderer a little further, without the pipeline: for about `seconds` seconds,
@@ -410,8 +346,7 @@ public:
 
   /** Estimated RMS error of the image, for colors in [0, 1]; NaN if there is no image. One warning
    * says so if it exceeds its bound, or if that of 4 tiles of 16x16 pixels or of 1 % of all tiles
-   * does. The bound is `Tolerance`; with light effects, `sqrt(Tolerance^2 + LightTolerance^2)`.
-   * Images with the method `UNIFORM` do not warn. */
+   * does. The bound is `Tolerance`; with light effects, `sqrt(Tolerance^2 + LightTolerance^2)`. */
   double GetEstimatedError();
 
   /** Part of the estimated error that light effects cause, see LightTolerance: 0 without them. The
@@ -458,13 +393,8 @@ private:
   double Tolerance = 1.0 / 256.0;
   double LightTolerance = 0.0;
   double TimeLimit = 0.0;
-  int CoverageMethod = SILHOUETTES;
-  int UniformSamples = 8;
-  int MaximumLevel = 3;
-  bool FindSmallObjects = true;
   double LightRadius = 0.0;
   double LightAngle = 0.0;
-  int LightShaftSteps = 0;
   double AmbientOcclusionRadius = 0.0;
   int AmbientOcclusionFalloff = 0;
   double AmbientOcclusionStrength = -1.0;
@@ -473,9 +403,7 @@ private:
   double Albedo = 0.5;
   int Bounces = 3;
   bool GeometryArrays = false;
-  bool OcclusionArray = true;
   bool Background = true;
-  bool UsePackets = true;
   int NumberOfThreads = 0;
   int DPI = 72;
   bool Layers = true;

@@ -17,7 +17,6 @@ Progress = Callable[[float], object]
 
 # Remedies of the classes, which name their methods, and those that the functions and accessors have for them.
 REMEDIES = {
-    "Increase Tolerance or MaximumLevel.": "Pass a larger tolerance.",
     "Increase Tolerance and LightTolerance.": "Pass a larger tolerance and light_tolerance.",
     "Increase Tolerance.": "Pass a larger tolerance.",
     "Increase LightTolerance.": "Pass a larger light_tolerance.",

@@ -6,6 +6,7 @@
 #include "BruteForce/StratifiedReference.h"
 #include "Scenes/TestScene.h"
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -101,8 +102,8 @@ TEST(TextureFootprints, AreWithinTheToleranceAtGrazingAngles)
       const Answer answer = Cast(renderer, Side, Side,
         [&](vtkPenumbraRayCaster* caster) { tolerance = caster->GetTolerance(); });
       const Answer reference = Cast(renderer, Side, Side, [](vtkPenumbraRayCaster* caster) {
-        caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-        caster->SetUniformSamples(64);
+        caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+        caster->GetConstants().UniformSamples = 64;
       });
       int above = 0;
       const int wrong = CountWrongTiles(answer, reference, tolerance, above);

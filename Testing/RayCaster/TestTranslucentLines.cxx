@@ -8,6 +8,7 @@
 #include "Scenes/AccuracyScenes.h"
 #include "Scenes/TestScene.h"
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -184,8 +185,8 @@ TEST_P(TranslucentLines, AreWithinTheTolerance)
   const Answer answer = Cast(renderer, Side, Side,
     [&](vtkPenumbraRayCaster* caster) { tolerance = caster->GetTolerance(); });
   const Answer reference = Cast(renderer, Side, Side, [](vtkPenumbraRayCaster* caster) {
-    caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-    caster->SetUniformSamples(29);
+    caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+    caster->GetConstants().UniformSamples = 29;
   });
   int above = 0;
   double worst = 0.0;

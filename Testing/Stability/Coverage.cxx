@@ -14,6 +14,7 @@
 #include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
@@ -32,13 +33,13 @@ const char* const OpenGL = "OpenGL, 8 samples per pixel requested (OSMesa uses 4
 /// Objects that no ray hits are not found: case 4, which [AA] omits.
 void OmitCase4(vtkPenumbraRayCaster* caster)
 {
-  caster->FindSmallObjectsOff();
+  caster->GetConstants().FindSmallObjects = false;
 }
 
 void UseOneSample(vtkPenumbraRayCaster* caster)
 {
-  caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-  caster->SetUniformSamples(1);
+  caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+  caster->GetConstants().UniformSamples = 1;
 }
 
 Frame Draw(vtkRenderer* renderer, int width, int height, Variant variant, const Choice& ablate)
@@ -152,8 +153,8 @@ ScenarioResult PaperSubdivision(Variant variant)
 {
   const Frame image = ByRays(
     RendererOf(HalfPlane(Size, Size), Size, Size), Size, Size, [&](vtkPenumbraRayCaster* caster) {
-      caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);
-      caster->SetMaximumLevel(variant == Variant::Ablated ? 0 : 3);
+      caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Subdivision;
+      caster->GetConstants().MaximumLevel = variant == Variant::Ablated ? 0 : 3;
     });
   return { LargestDifference(image.Values, ExactCoverage(HalfPlane(Size, Size)).Values), image };
 }
@@ -189,7 +190,7 @@ ScenarioResult ColorJumps(Variant variant)
   AddMesh(renderer, mesh, false)->GetMapper()->ScalarVisibilityOn();
   LookAtImage(renderer, Size, Size);
   const Frame image = Draw(renderer, Size, Size, variant, [](vtkPenumbraRayCaster* caster) {
-    caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);
+    caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Subdivision;
   });
   return { Rmse(image.Values, ExactCoverage(white).Values), image };
 }

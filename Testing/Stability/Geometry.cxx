@@ -16,6 +16,7 @@
 #include "vtkCubeSource.h"
 #include "vtkNew.h"
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -39,8 +40,8 @@ const char* const OpenGL = "OpenGL, 8 samples per pixel requested (OSMesa uses 4
 
 void UseOneSample(vtkPenumbraRayCaster* caster)
 {
-  caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-  caster->SetUniformSamples(1);
+  caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+  caster->GetConstants().UniformSamples = 1;
 }
 
 Mesh Box(glm::dvec3 center, glm::dvec3 size)
@@ -97,7 +98,7 @@ ScenarioResult SelfSilhouettes(Variant variant)
 {
   return CompareWithBruteForce(
     NewLitRenderer({ Burr() }, { -.6, 1.0, -.4 }), variant, [](vtkPenumbraRayCaster* caster) {
-      caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);
+      caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Subdivision;
     });
 }
 
@@ -408,8 +409,8 @@ ScenarioResult BehindGlass(Variant variant)
   vtkActor* glass = AddMesh(renderer, Box({ 32.0, 32.0, 20.0 }, { 100.0, 100.0, 0.0 }), false);
   glass->GetProperty()->SetOpacity(.5);
   glass->GetProperty()->SetColor(.4, .4, .4);
-  const Frame image =
-    Draw(renderer, variant, [](vtkPenumbraRayCaster* caster) { caster->FindSmallObjectsOff(); });
+  const Frame image = Draw(renderer, variant,
+    [](vtkPenumbraRayCaster* caster) { caster->GetConstants().FindSmallObjects = false; });
   std::vector<double> expected = SharesOf(rods, Size, Size);
   for (double& value : expected)
   {

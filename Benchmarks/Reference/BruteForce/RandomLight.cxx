@@ -11,6 +11,7 @@
 
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPenumbraRayCasterConstants.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -114,9 +115,9 @@ StratifiedReference DrawWithLight(vtkRenderer* renderer, int width, int height, 
     images[i] = Cast(renderer, width, height, [&](vtkPenumbraRayCaster* caster) {
       choose(caster);
       caster->SetNumberOfThreads(0);
-      caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-      caster->SetUniformSamples(side - static_cast<int>(i));
-      caster->SetLightShaftSteps(ShaftSteps);
+      caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+      caster->GetConstants().UniformSamples = side - static_cast<int>(i);
+      caster->GetConstants().LightShaftSteps = ShaftSteps;
       caster->SetIrradianceProvider(light);
     });
   }

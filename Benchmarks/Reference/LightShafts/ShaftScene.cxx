@@ -4,6 +4,7 @@
 
 #include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCamera.h"
@@ -189,10 +190,10 @@ std::vector<double> ShaftScene::RenderWithRayCaster(int steps, long long* shadow
   vtkNew<vtkPenumbraRayCaster> caster;
   caster->SetRenderer(this->Renderer);
   caster->SetResolution(this->Width, this->Height);
-  caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-  caster->SetUniformSamples(1);
+  caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+  caster->GetConstants().UniformSamples = 1;
   caster->SetMedium(medium);
-  caster->SetLightShaftSteps(steps);
+  caster->GetConstants().LightShaftSteps = steps;
   const vtkSmartPointer<vtkRenderPass> passes = this->Renderer->GetPass();
   this->Renderer->SetPass(nullptr);
   caster->Update();

@@ -31,7 +31,7 @@ void PixelIntegrator::SearchAllPixelsForIntersections()
 
 PixelResult PixelIntegrator::Integrate(glm::ivec2 position)
 {
-  if (this->Pixel.Settings.Method == IntegrationSettings::Methods::Uniform)
+  if (this->Pixel.Settings.Method == CoverageMethods::Uniform)
   {
     this->Pixel.MoveTo(position);
   }

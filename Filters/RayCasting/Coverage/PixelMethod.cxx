@@ -74,11 +74,11 @@ PixelMethod ChooseMethod(const PixelContext& pixel, PixelEdges& edges, const Til
   std::optional<PixelMethod> gaveUp)
 {
   const IntegrationSettings& settings = pixel.Settings;
-  if (settings.Method == IntegrationSettings::Methods::Uniform)
+  if (settings.Method == CoverageMethods::Uniform)
   {
     return PixelMethod::Uniform;
   }
-  if (settings.Method == IntegrationSettings::Methods::Subdivision)
+  if (settings.Method == CoverageMethods::Subdivision)
   {
     return PixelMethod::Subdivision;
   }

@@ -31,8 +31,8 @@ SceneEdges FindSceneEdges(
 {
   const IntegrationSettings& integration = settings.Integration;
   SceneEdges edges;
-  if (integration.Method != IntegrationSettings::Methods::Silhouettes &&
-    (integration.Method == IntegrationSettings::Methods::Uniform || !integration.FindSmallObjects))
+  if (integration.Method != CoverageMethods::Silhouettes &&
+    (integration.Method == CoverageMethods::Uniform || !integration.FindSmallObjects))
   {
     return edges;
   }

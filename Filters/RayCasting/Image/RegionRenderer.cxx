@@ -57,7 +57,7 @@ RegionRenderer::RegionRenderer(const CameraRayTracer& tracer, const SceneEdges& 
   : Tracer(tracer),
     Edges(sceneEdges),
     Settings(settings),
-    UsesCorners(settings.Integration.Method != IntegrationSettings::Methods::Uniform),
+    UsesCorners(settings.Integration.Method != CoverageMethods::Uniform),
     Ends(!settings.Light ? Schedule{ 0.4, 0.4, 1.0 } : Schedule{ 0.16, 0.28, 0.52 }),
     Grid(glm::max(low - 1, 0),
       glm::min(high + 1,

@@ -6,6 +6,7 @@
 #define penumbra_IntegrationSettings_h
 
 #include "Execution/WorkLimit.h"
+#include "vtkPenumbraRayCasterConstants.h"
 
 #include <glm/glm.hpp>
 
@@ -14,16 +15,11 @@
 namespace penumbra
 {
 
-/// Settings of PixelIntegrator; see the properties of vtkPenumbraRayCaster with the same names.
+/// Settings of PixelIntegrator; see the properties and constants of vtkPenumbraRayCaster with the same
+/// names.
 struct IntegrationSettings
 {
-  enum class Methods
-  {
-    Silhouettes,
-    Subdivision,
-    Uniform
-  };
-  Methods Method = Methods::Silhouettes;
+  CoverageMethods Method = CoverageMethods::Silhouettes;
   double Tolerance = 1.0 / 256.0;
   int MaximumLevel = 3;
   bool FindSmallObjects = true;
@@ -50,7 +46,7 @@ struct PixelCounts
   long long Edge = 0;        ///< case 3: exact coverage between edges
   long long SmallObject = 0; ///< case 4: edges between four corners on one surface
   long long Refined = 0;     ///< subdivided because of contrast, or without edges
-  long long Uniform = 0;     ///< sampled: too many edges, dense geometry, or UNIFORM
+  long long Uniform = 0;     ///< sampled: too many edges, dense geometry, or Uniform
 
   PixelCounts& operator+=(const PixelCounts& other)
   {

@@ -4,6 +4,7 @@
 // Upper bounds of the number of rays for adversarial scenes. They follow from the tolerance, not
 // from the number of primitives.
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 
 #include "Scenes/Adversaries.h"
 
@@ -93,8 +94,8 @@ TEST(SampledPixels, HaveConservativeErrorEstimates)
     Render("Slivers", primitives, Side, caster);
     EXPECT_GT(GetStatistic(caster, "Pixels/Uniform"), 0.0) << primitives;
     vtkNew<vtkPenumbraRayCaster> reference;
-    reference->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-    reference->SetUniformSamples(64);
+    reference->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+    reference->GetConstants().UniformSamples = 64;
     Render("Slivers", primitives, Side, reference, Subdivisions);
     vtkPointData* actual = caster->GetOutput()->GetPointData();
     vtkPointData* expected = reference->GetOutput()->GetPointData();

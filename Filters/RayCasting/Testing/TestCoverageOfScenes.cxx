@@ -3,6 +3,7 @@
 //
 // Compares adaptively rendered scenes with a reference of 32 x 32 samples per pixel.
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -184,8 +185,8 @@ TEST_P(CoverageOfScenes, IsWithinTheTolerance)
   caster->SetResolution(Side, Side);
   caster->SetShadows(GetParam().Shadows);
   const Pixels adaptive = Render(caster);
-  caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-  caster->SetUniformSamples(32);
+  caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+  caster->GetConstants().UniformSamples = 32;
   const Pixels reference = Render(caster);
 
   double worst = 0.0;

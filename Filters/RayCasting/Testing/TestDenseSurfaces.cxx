@@ -4,6 +4,7 @@
 // Surfaces whose triangles are smaller than pixels: exact outlines, and tiles within the tolerance.
 // References are closed forms of coverage, and jittered samples.
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 
 #include "BruteForce/StratifiedReference.h"
 #include "Scenes/AccuracyScenes.h"
@@ -90,8 +91,8 @@ TEST(DenseSurfaces, HaveEdgesThatSubdivisionFinds)
 {
   const Shape disc = Disc({ 31.5, 32.5 }, 0.4, 100);
   const Answer answer = Cast(MakeScene(disc, 60), Size, Size, [](vtkPenumbraRayCaster* caster) {
-    caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);
-    caster->SetMaximumLevel(3);
+    caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Subdivision;
+    caster->GetConstants().MaximumLevel = 3;
   });
   EXPECT_NEAR(answer.Colors[32 * Size + 31].g, std::acos(-1.0) * 0.16, 0.1);
 }

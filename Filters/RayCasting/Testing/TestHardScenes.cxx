@@ -4,6 +4,7 @@
 // Scenes with edges inside pixels that the corner rays do not detect. The error of every tile is
 // below the tolerance, or its estimated error is not. The reference has 32 x 32 samples per pixel.
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
@@ -263,8 +264,8 @@ TEST_P(HardScenes, ReportEveryTileAboveTheTolerance)
   const auto caster = MakeCaster(GetParam());
   const std::vector<float> colors = Render(caster);
   const std::vector<float> errors = CopyArray(caster, "EstimatedError");
-  caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-  caster->SetUniformSamples(ReferenceSamples);
+  caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+  caster->GetConstants().UniformSamples = ReferenceSamples;
   const std::vector<float> reference = Render(caster);
   const double tolerance = caster->GetTolerance();
   double worst = 0.0;
@@ -280,12 +281,12 @@ TEST_P(HardScenes, ReportEveryTileAboveTheTolerance)
 TEST_P(HardScenes, HaveCalibratedErrorEstimatesWithUniformSamples)
 {
   const auto caster = MakeCaster(GetParam());
-  caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-  caster->SetUniformSamples(ReferenceSamples);
+  caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+  caster->GetConstants().UniformSamples = ReferenceSamples;
   const std::vector<float> reference = Render(caster);
   for (const int samples : { 2, 4, 8 })
   {
-    caster->SetUniformSamples(samples);
+    caster->GetConstants().UniformSamples = samples;
     const std::vector<float> colors = Render(caster);
     const std::vector<float> errors = CopyArray(caster, "EstimatedError");
     std::vector<double> ratios;
@@ -317,7 +318,7 @@ TEST(Tolerance, WarnsOnceIfItIsNotReached)
   caster->SetTolerance(1e-5);
   caster->Update();
   EXPECT_EQ(warnings, 1);
-  caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
+  caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
   caster->Update();
   EXPECT_EQ(warnings, 1);
 }

@@ -89,7 +89,7 @@ penumbra::ImageRegion Render(const Scene& scene, bool shadows = false, int sampl
   settings.Integration.Rasterize = false; // copies would be rasterized, instances are traced
   if (samples > 0)
   {
-    settings.Integration.Method = penumbra::IntegrationSettings::Methods::Uniform;
+    settings.Integration.Method = penumbra::CoverageMethods::Uniform;
     settings.Integration.UniformSamples = samples;
   }
   penumbra::ImageRegion image;

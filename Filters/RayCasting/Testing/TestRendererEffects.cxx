@@ -3,6 +3,7 @@
 //
 // The ray caster follows UseShadows and UseSSAO of the renderer until its own options are set.
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
@@ -166,7 +167,7 @@ TEST_F(RendererEffects, OcclusionArrayIsComputedOnlyOnRequest)
   std::vector<float> depths = this->Render("Depth");
   const std::vector<float> computed = this->Render("AmbientOcclusion");
   const std::vector<float> color = this->Render();
-  this->Caster->OcclusionArrayOff();
+  this->Caster->GetConstants().OcclusionArray = false;
   const std::vector<float> skipped = this->Render("AmbientOcclusion");
   EXPECT_EQ(this->Render("Depth"), depths);
   EXPECT_EQ(this->Render(), color);

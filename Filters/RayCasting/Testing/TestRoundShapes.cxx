@@ -6,6 +6,7 @@
 #include "RoundScene.h"
 
 #include "vtkLight.h"
+#include "vtkPenumbraRayCasterConstants.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
@@ -260,8 +261,8 @@ TEST(RoundShapes, AreSampledWhereTubesIntersectASurface)
   {
     estimates.push_back(errors->GetTuple1(i));
   }
-  scene.Caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-  scene.Caster->SetUniformSamples(16);
+  scene.Caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+  scene.Caster->GetConstants().UniformSamples = 16;
   const std::vector<double> reference = scene.RenderRed();
   for (int tile = 0; tile < Size / Tile * (Size / Tile); ++tile)
   {

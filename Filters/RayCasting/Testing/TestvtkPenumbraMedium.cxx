@@ -4,6 +4,7 @@
 
 #include "ClosedForms/HalfPlaneScattering.h"
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
@@ -91,7 +92,7 @@ TEST_F(MediumTest, MatchesTheClosedForm)
 {
   for (const int steps : { 0, 64 })
   {
-    this->Caster->SetLightShaftSteps(steps);
+    this->Caster->GetConstants().LightShaftSteps = steps;
     const std::vector<float> image = this->Render();
     double squares = 0.0;
     double reference = 0.0;

@@ -3,6 +3,7 @@
 #include "Embree/RayScene.h"
 #include "Scene.h"
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
@@ -120,9 +121,10 @@ TEST_F(RayCaster, IsIndependentOfThreadCount)
 
 TEST_F(RayCaster, IsIndependentOfTheUpdateExtent)
 {
-  for (int method : { vtkPenumbraRayCaster::SILHOUETTES, vtkPenumbraRayCaster::SUBDIVISION })
+  for (const auto method :
+    { penumbra::CoverageMethods::Silhouettes, penumbra::CoverageMethods::Subdivision })
   {
-    this->Caster->SetCoverageMethod(method);
+    this->Caster->GetConstants().CoverageMethod = method;
     const std::vector<float> whole = this->Render();
     const int tiles[][4] = { { 0, 40, 0, 33 }, { 41, 100, 0, 33 }, { 0, 6, 34, 74 },
       { 7, 100, 34, 74 }, { 50, 50, 37, 37 } };
@@ -150,8 +152,8 @@ TEST_F(RayCaster, IsIndependentOfTheUpdateExtent)
 TEST_F(RayCaster, MatchesUniformSampling)
 {
   const std::vector<float> exact = this->Render();
-  this->Caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-  this->Caster->SetUniformSamples(32);
+  this->Caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+  this->Caster->GetConstants().UniformSamples = 32;
   const std::vector<float> samples = this->Render();
   double squares = 0.0;
   float worst = 0.f;
@@ -461,39 +463,14 @@ TEST_F(RayCaster, RendersAgainAfterTheSceneChanges)
   EXPECT_NE(before, this->Render());
 }
 
-TEST(RayCasterSettings, ComputesMaximumLevelFromViewing)
+TEST_F(RayCaster, RendersAgainAfterAConstantChanges)
 {
-  vtkNew<vtkPenumbraRayCaster> caster;
-  // A pixel that subtends 2^-10 rad is divided 2^3 times per side [AA].
-  caster->SetMaximumLevelFromViewing(1024.0, 1.0);
-  EXPECT_EQ(caster->GetMaximumLevel(), 3);
-  caster->SetMaximumLevelFromViewing(8192.0, 1.0);
-  EXPECT_EQ(caster->GetMaximumLevel(), 0);
-}
-
-TEST(RayCasterSettings, CheckNamesAndRangesOfExpertSettings)
-{
-  vtkNew<vtkPenumbraRayCaster> caster;
-  vtkNew<vtkCallbackCommand> observer;
-  std::string message;
-  observer->SetClientData(&message);
-  observer->SetCallback([](vtkObject*, unsigned long, void* data, void* text) {
-    *static_cast<std::string*>(data) += static_cast<const char*>(text);
-  });
-  caster->AddObserver(vtkCommand::ErrorEvent, observer);
-  const vtkMTimeType before = caster->GetMTime();
-  EXPECT_TRUE(caster->SetExpertSetting("UsePackets", 1.0));
-  EXPECT_EQ(caster->GetMTime(), before); // the default
-  EXPECT_TRUE(caster->SetExpertSetting("UsePackets", -3.0));
-  EXPECT_EQ(caster->GetExpertSetting("UsePackets"), 0.0);
-  EXPECT_GT(caster->GetMTime(), before);
-  EXPECT_EQ(message, "");
-  EXPECT_FALSE(caster->SetExpertSetting("UsePackets", std::nan("")));
-  EXPECT_NE(message.find("UsePackets must be a number"), std::string::npos) << message;
-  message.clear();
-  EXPECT_FALSE(caster->SetExpertSetting("UsePacket", 1.0));
-  EXPECT_NE(message.find("no expert setting UsePacket; there are"), std::string::npos) << message;
-  EXPECT_EQ(caster->GetExpertSetting("UsePackets"), 0.0);
+  const double before = (this->Render(), this->Statistic("Rays/Total"));
+  this->Caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+  this->Caster->GetConstants().UniformSamples = 3;
+  this->Render();
+  EXPECT_NE(this->Statistic("Rays/Total"), before);
+  EXPECT_EQ(this->Statistic("Rays/Total"), 9.0 * 101.0 * 75.0);
 }
 
 TEST(RayCasterOcclusion, MatchesTheClosedFormOfOcclusionBesideAWall)

@@ -7,6 +7,7 @@
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
@@ -46,8 +47,8 @@ penumbra::StratifiedReference DrawUniform(const RandomScene& scene, int quality)
       penumbra::Cast(scene.Renderer, ImageSide, ImageSide, [&](vtkPenumbraRayCaster* caster) {
         scene.Choose(caster);
         caster->SetTolerance(scene.Tolerance / 2.0);
-        caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-        caster->SetUniformSamples((i ? 7 : 5) * quality);
+        caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+        caster->GetConstants().UniformSamples = (i ? 7 : 5) * quality;
       });
     for (std::size_t p = 0; p < answer.Colors.size(); ++p)
     {
