@@ -107,12 +107,13 @@ inline const std::vector<Row> Table = {
       "Filters/RayTracing/Shading", "Filters/RayCasting/Sampling", "Filters/RayCasting/Edges",
       "Filters/RayCasting/Pixels" },
     { "GLM" } },
+  { "Filters/RayCasting/Distribution", { "Filters/RayCasting/Image" }, {} },
   { "Filters/RayCasting",
     { "Filters/Conventions", "Filters/Scene", "Filters/Scene/Features", "Filters/Scene/Import",
       "Filters/Scene/Execution", "Filters/RayTracing/Embree", "Filters/RayTracing/Shading",
       "Filters/RayTracing/Media", "Filters/RayTracing", "Filters/RayCasting/Sampling",
       "Filters/RayCasting/Light", "Filters/RayCasting/Pixels", "Filters/RayCasting/Image",
-      "Filters/RayCasting/Vector" },
+      "Filters/RayCasting/Distribution", "Filters/RayCasting/Vector" },
     { "GLM" } },
 
   { "Filters/Irradiance/Gathering",
@@ -135,7 +136,10 @@ inline const std::vector<Row> Table = {
     { "GLM" } },
 
   { "Filters/Parallel",
-    { "Filters/Scene", "Filters/Scene/Geometry", "Filters/RayCasting", "Filters/Irradiance" }, {} },
+    { "Filters/Conventions", "Filters/Scene", "Filters/Scene/Geometry", "Filters/RayTracing/Embree",
+      "Filters/RayCasting/Tiles", "Filters/RayCasting/Edges", "Filters/RayCasting/Image",
+      "Filters/RayCasting/Distribution", "Filters/RayCasting", "Filters/Irradiance" },
+    { "GLM" } },
 
   { "Rendering/ScreenSpace/Frame", {}, { "OpenGL" } },
   { "Rendering/ScreenSpace/Chain", {}, { "OpenGL" } },

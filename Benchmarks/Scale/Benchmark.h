@@ -23,4 +23,8 @@ void MeasureSpheres(Options& options);
 /// Measures memory, time and serial share of an image of ten million triangles.
 void MeasureTriangles(Options& options);
 
+/// Measures what ranks exchange to render blocks of a million triangles each. Call it before VTK has started
+/// threads.
+void MeasureRanks(Options& options);
+
 #endif

@@ -184,12 +184,4 @@ vtkSmartPointer<vtkPolyData> GatherRemoteOccluders(vtkMultiProcessController* co
   return result;
 }
 
-vtkSmartPointer<vtkPolyData> AllGatherSurfaces(
-  vtkMultiProcessController* controller, vtkPolyData* local)
-{
-  std::vector<vtkSmartPointer<vtkDataObject>> parts;
-  controller->AllGather(local, parts);
-  return AppendSurfaces(parts);
-}
-
 }

@@ -30,9 +30,5 @@ std::vector<vtkBoundingBox> GatherBounds(vtkMultiProcessController* controller, 
 vtkSmartPointer<vtkPolyData> GatherRemoteOccluders(vtkMultiProcessController* controller,
   vtkPolyData* local, const std::vector<vtkBoundingBox>& bounds, double radius);
 
-/// Returns the surfaces of all ranks, appended in rank order.
-vtkSmartPointer<vtkPolyData> AllGatherSurfaces(
-  vtkMultiProcessController* controller, vtkPolyData* local);
-
 }
 #endif

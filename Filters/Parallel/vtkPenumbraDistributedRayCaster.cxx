@@ -2,35 +2,63 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraDistributedRayCaster.h"
 
-#include "SurfaceExchange.h"
+#include "Conventions/Statistics.h"
+#include "DistributedScene.h"
 
-#include "vtkDataObject.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkMultiProcessController.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkPenumbraDistributedRayCaster);
+
+vtkPenumbraDistributedRayCaster::vtkPenumbraDistributedRayCaster()
+  : Controller(vtkMultiProcessController::GetGlobalController())
+{
+}
+
+void vtkPenumbraDistributedRayCaster::SetController(vtkMultiProcessController* controller)
+{
+  if (controller != this->Controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkPenumbraDistributedRayCaster::GetController()
+{
+  return this->Controller;
+}
 
 int vtkPenumbraDistributedRayCaster::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  auto* controller = vtkMultiProcessController::GetGlobalController();
-  if (!controller || controller->GetNumberOfProcesses() < 2)
+  if (!this->Controller || this->Controller->GetNumberOfProcesses() < 2)
   {
     return this->Superclass::RequestData(request, inputs, outputs);
   }
-  vtkNew<vtkInformationVector> gathered;
-  for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
+  penumbra::DistributedScene scene(
+    this->Controller, [this](const std::string& text) { vtkWarningMacro(<< text); });
+  this->SetDistribution(&scene);
+  const int result = this->Superclass::RequestData(request, inputs, outputs);
+  this->SetDistribution(nullptr);
+  const penumbra::ExchangeCounts& counts = scene.GetCounts();
+  vtkImageData* image = vtkImageData::GetData(outputs);
+  for (vtkFieldData* fields : { this->GetStatistics(), image->GetFieldData() })
   {
-    const vtkSmartPointer<vtkPolyData> local =
-      penumbra::ExtractCompositeSurface(vtkDataObject::GetData(inputs[0], i));
-    vtkNew<vtkInformation> info;
-    info->Set(vtkDataObject::DATA_OBJECT(), penumbra::AllGatherSurfaces(controller, local));
-    gathered->Append(info);
+    penumbra::AddStatistic(fields, "Exchange/SceneBytes", counts.SceneBytes);
+    penumbra::AddStatistic(fields, "Exchange/WholeBytes", counts.WholeBytes);
+    penumbra::AddStatistic(fields, "Exchange/Primitives", counts.Primitives);
+    penumbra::AddStatistic(fields, "Exchange/WholePrimitives", counts.WholePrimitives);
+    penumbra::AddStatistic(fields, "Exchange/PixelBytes", counts.PixelBytes);
+    penumbra::AddStatistic(fields, "Exchange/Rays", counts.Rays);
   }
-  vtkInformationVector* allInputs[] = { gathered };
-  return this->Superclass::RequestData(request, allInputs, outputs);
+  return result;
+}
+
+void vtkPenumbraDistributedRayCaster::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
 }

@@ -4,19 +4,33 @@
  * @class   vtkPenumbraDistributedRayCaster
  * @brief   Ray caster for data distributed over ranks; each rank renders a part of the image.
  *
- * The filter gathers the surfaces of all ranks on every rank, because a ray may hit any of them.
- * Each rank then renders its update extent; in ParaView, the extents divide the image evenly. The
- * pixels have the same bits as an image of the same surfaces, in the same order, rendered on a
- * single rank. On a single rank, the filter is equivalent to its superclass.
+ * Each rank extracts the surfaces of its own data. The image is divided among the ranks: each renders
+ * rectangles of which it has most primitives. It receives the triangles, spheres, tubes, lines, points and
+ * instances of other ranks that camera rays of these rectangles may meet, with their colors, textures and
+ * opacity. With shadows, ambient occlusion, indirect light or a medium, it receives all of them; one
+ * warning says how many bytes these are. The first rank composes the image, and every rank gets its
+ * update extent. Overlays and layers are those of the first rank.
  *
- * Every rank must execute the filter. The triangles of all ranks must fit into the memory of each
- * rank.
+ * Surfaces of one input, or of one prop of the renderer, that look alike are one surface, without edges
+ * where points of the pieces coincide. Colors, estimated errors and statistics have the same bits as those of
+ * one rank with the pieces appended in the order of the ranks. Exceptions: CellId is that of the piece, and
+ * where surfaces intersect, a ray may meet either of both, which depends on the other triangles.
+ * Every rank has the statistics of the whole image, and of its own exchange:
+ * `Exchange/SceneBytes` (received), `Exchange/WholeBytes` (of all surfaces), `Exchange/Primitives` (after the
+ * exchange), `Exchange/WholePrimitives`, `Exchange/PixelBytes` and `Exchange/Rays` (traced by the rank).
+ * `Rays/Repeated` counts the rays that are traced twice at the borders of rectangles.
+ *
+ * Every rank must execute the filter, with the same settings, camera and lights. If they differ, or if one
+ * rank fails, all ranks end with its message. On a single rank, the filter is equivalent to its superclass.
  */
 #ifndef vtkPenumbraDistributedRayCaster_h
 #define vtkPenumbraDistributedRayCaster_h
 
 #include "vtkPenumbraFiltersParallelModule.h" // for export macro
 #include "vtkPenumbraRayCaster.h"
+#include "vtkSmartPointer.h" // for members
+
+class vtkMultiProcessController;
 
 class VTKPENUMBRAFILTERSPARALLEL_EXPORT vtkPenumbraDistributedRayCaster
   : public vtkPenumbraRayCaster
@@ -24,9 +38,16 @@ class VTKPENUMBRAFILTERSPARALLEL_EXPORT vtkPenumbraDistributedRayCaster
 public:
   static vtkPenumbraDistributedRayCaster* New();
   vtkTypeMacro(vtkPenumbraDistributedRayCaster, vtkPenumbraRayCaster);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Controller of the ranks; null: this one alone. Default: the global controller. */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
 
 protected:
-  vtkPenumbraDistributedRayCaster() = default;
+  vtkPenumbraDistributedRayCaster();
   ~vtkPenumbraDistributedRayCaster() override = default;
 
   int RequestData(
@@ -35,6 +56,8 @@ protected:
 private:
   vtkPenumbraDistributedRayCaster(const vtkPenumbraDistributedRayCaster&) = delete;
   void operator=(const vtkPenumbraDistributedRayCaster&) = delete;
+
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 };
 
 #endif

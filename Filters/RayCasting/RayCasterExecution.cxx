@@ -212,6 +212,10 @@ std::function<bool(double)> vtkPenumbraRayCaster::Internals::MakeProgress(
 
 bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkImageData* image)
 {
+  if (this->Distribution)
+  {
+    return this->ExecuteDistributed(self, image);
+  }
   this->UpdateEdges(self, [self](double) { return ReportProgress(self, 0.0); });
   penumbra::PhaseTimer timer(this->PhaseSeconds);
   const std::unique_ptr<Execution> execution = this->BeginExecution(self);
@@ -236,8 +240,18 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
 bool vtkPenumbraRayCaster::Internals::FinishExecution(vtkPenumbraRayCaster* self,
   Execution& execution, penumbra::ImageTotals& totals, vtkImageData* image)
 {
+  if (!this->FinishPixels(self, execution, totals, image))
+  {
+    return false;
+  }
+  this->FinishImage(self, execution, totals, image);
+  return true;
+}
+
+bool vtkPenumbraRayCaster::Internals::FinishPixels(vtkPenumbraRayCaster* self, Execution& execution,
+  penumbra::ImageTotals& totals, vtkImageData* image)
+{
   penumbra::CameraRayTracer& tracer = execution.Tracer;
-  const double lightTolerance = self->GetEffectiveLightTolerance();
   if (this->InspectImage)
   {
     if (execution.Joins)
@@ -247,26 +261,29 @@ bool vtkPenumbraRayCaster::Internals::FinishExecution(vtkPenumbraRayCaster* self
     }
     this->InspectImage(tracer, this->Prepared->Edges);
   }
+  if (!self->GeometryArrays)
+  {
+    return true;
+  }
+  tracer.SetOcclusion(this->Constants.OcclusionArray && !execution.Settings.KeepsOcclusion
+      ? this->IrradianceProvider.Get()
+      : nullptr,
+    self->AmbientOcclusionStrength, SampleToleranceFactor * self->GetEffectiveLightTolerance());
+  const auto geometry = [self](double done) {
+    return ReportProgress(self, 1.0 - GeometryProgress + GeometryProgress * done);
+  };
+  return penumbra::AddGeometryArrays(tracer, geometry, image, totals.Rays);
+}
+
+void vtkPenumbraRayCaster::Internals::FinishImage(vtkPenumbraRayCaster* self, Execution& execution,
+  const penumbra::ImageTotals& totals, vtkImageData* image)
+{
   const bool isEnded = execution.IsEnded();
   const penumbra::ToleranceReport tolerances =
     penumbra::CheckTolerance(execution.Limits, totals, isEnded ? self->TimeLimit : 0.0, image);
   if (!tolerances.Warning.empty())
   {
     vtkWarningWithObjectMacro(self, << tolerances.Warning);
-  }
-  if (self->GeometryArrays)
-  {
-    tracer.SetOcclusion(this->Constants.OcclusionArray && !execution.Settings.KeepsOcclusion
-        ? this->IrradianceProvider.Get()
-        : nullptr,
-      self->AmbientOcclusionStrength, SampleToleranceFactor * lightTolerance);
-    const auto geometry = [self](double done) {
-      return ReportProgress(self, 1.0 - GeometryProgress + GeometryProgress * done);
-    };
-    if (!penumbra::AddGeometryArrays(tracer, geometry, image, totals.Rays))
-    {
-      return false;
-    }
   }
   this->Report(totals, image->GetNumberOfPoints());
   this->ReportLimit(totals, tolerances, isEnded);
@@ -285,7 +302,6 @@ bool vtkPenumbraRayCaster::Internals::FinishExecution(vtkPenumbraRayCaster* self
     }
   }
   this->AddFieldData(self, image);
-  return true;
 }
 
 void vtkPenumbraRayCaster::Internals::BeginGrowing(vtkPenumbraRayCaster* self)
@@ -411,9 +427,8 @@ void vtkPenumbraRayCaster::Internals::Report(const penumbra::ImageTotals& totals
   AddStatistic(s, "Rays/Occlusion", rays.Occlusion);
   AddStatistic(s, "Rays/Indirect", rays.Indirect);
   AddStatistic(s, "Rays/Auxiliary", rays.Auxiliary);
-  AddStatistic(s, "Rays/Total",
-    rays.Primary + rays.Refinement + rays.Shadow + rays.Shaft + rays.Occlusion + rays.Indirect +
-      rays.Auxiliary);
+  AddStatistic(s, "Rays/Total", rays.GetTotal());
+  AddStatistic(s, "Rays/Repeated", rays.Repeated);
   AddStatistic(s, "Samples/Rasterized", rays.Rasterized);
   AddStatistic(s, "Rays/PerPixel", static_cast<double>(rays.GetImageRays()) / pixels);
   AddStatistic(s, "Pixels/Total", pixels);

@@ -96,7 +96,7 @@ void vtkPenumbraRayCaster::Internals::Prepare(
     }
     return time;
   };
-  if (this->Prepared && computeTime() <= this->PreparedTime)
+  if (!this->Distribution && this->Prepared && computeTime() <= this->PreparedTime)
   {
     return;
   }
@@ -122,6 +122,10 @@ void vtkPenumbraRayCaster::Internals::Prepare(
     this->ChangeScene(scene);
   }
   this->WarnOfScene(self, scene);
+  if (this->Distribution)
+  {
+    this->ExchangeScene(self, scene);
+  }
   const bool isDynamic = prepared->Record.Props.size() > 1;
   prepared->Rays =
     std::make_unique<penumbra::RayScene>(scene, self->NumberOfThreads, options.Progress, isDynamic);
@@ -142,7 +146,7 @@ void vtkPenumbraRayCaster::Internals::DropScene()
 
 bool vtkPenumbraRayCaster::Internals::KeepsScene(vtkPenumbraRayCaster* self) const
 {
-  return self->KeepScene && this->Renderer && !this->ChangeScene;
+  return self->KeepScene && this->Renderer && !this->ChangeScene && !this->Distribution;
 }
 
 bool vtkPenumbraRayCaster::Internals::UpdatePrepared(
@@ -210,6 +214,12 @@ penumbra::ExtractionOptions vtkPenumbraRayCaster::Internals::MakeExtractionOptio
     return penumbra::LightSize{ self->GetLightRadius(light), self->GetLightAngle(light) };
   };
   options.Progress = [self](double) { return ReportProgress(self, 0.0); };
+  if (this->Distribution)
+  {
+    options.UniteExtent = [this](double bounds[6], double& radius) {
+      this->Distribution->UniteExtent(bounds, radius);
+    };
+  }
   options.FindDepths = [this, self](const auto& scene, const std::vector<glm::dvec2>& points) {
     return this->Prepared && &scene == &this->Prepared->SceneData
       ? penumbra::FindOpaqueDepths(*this->Prepared->Rays, points)

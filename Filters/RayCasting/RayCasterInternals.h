@@ -7,6 +7,7 @@
 
 #include "vtkPenumbraRayCaster.h"
 
+#include "Distribution/SceneDistribution.h"
 #include "Execution/WorkLimit.h"
 #include "Image/ImageRenderer.h"
 #include "Import/SceneExtraction.h"
@@ -106,6 +107,10 @@ struct vtkPenumbraRayCaster::Internals
   /// If set, called with the tracer of the image when the image is complete.
   std::function<void(const penumbra::CameraRayTracer&, const penumbra::SceneEdges&)> InspectImage;
 
+  /// The other ranks, while an image is rendered together with them; null: there are none.
+  penumbra::SceneDistribution* Distribution = nullptr;
+  penumbra::Overlay DistributedOverlay; ///< of this rank
+
   std::chrono::steady_clock::time_point Start; ///< of the last execution
   double CallSeconds = 0.0;                    ///< time that RenderFor() may take
   std::unique_ptr<GrowingState> Growing;       ///< refers to Prepared; null: none
@@ -136,14 +141,25 @@ struct vtkPenumbraRayCaster::Internals
   static std::function<bool(double)> MakeProgress(
     vtkPenumbraRayCaster* self, const Execution& execution);
   bool Execute(vtkPenumbraRayCaster* self, vtkImageData* image);
+  /// The same together with the other ranks.
+  bool ExecuteDistributed(vtkPenumbraRayCaster* self, vtkImageData* image);
+  bool RenderRegions(vtkPenumbraRayCaster* self, Execution& execution,
+    std::vector<vtkSmartPointer<vtkImageData>>& parts, penumbra::ImageTotals& totals);
+  /// Replaces the surfaces of the prepared scene by those of all ranks that this one needs.
+  void ExchangeScene(vtkPenumbraRayCaster* self, penumbra::Scene& scene);
+  /// Returns what all ranks must agree on.
+  static penumbra::SettingList ListSettings(vtkPenumbraRayCaster* self);
   /// Continues the image of RenderFor(). Returns true if it is complete.
   bool Continue(vtkPenumbraRayCaster* self, vtkImageData* image);
   void BeginGrowing(vtkPenumbraRayCaster* self);
   /// Returns null if an abort was requested.
   std::unique_ptr<Execution> BeginExecution(vtkPenumbraRayCaster* self);
-  /// Adds what follows the rendering of an image. Returns false if an abort was requested.
-  bool FinishExecution(vtkPenumbraRayCaster* self, Execution& execution,
-    penumbra::ImageTotals& totals, vtkImageData* image);
+  /// Adds what rays of their own find in an image. Returns false if an abort was requested.
+  bool FinishPixels(vtkPenumbraRayCaster* self, Execution& execution, penumbra::ImageTotals& totals,
+    vtkImageData* image);
+  /// Adds what follows the rendering of an image.
+  void FinishImage(vtkPenumbraRayCaster* self, Execution& execution,
+    const penumbra::ImageTotals& totals, vtkImageData* image);
   void AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image);
   void AddLayer(vtkPenumbraRayCaster* self, vtkRenderer* layer, bool isAbove, vtkImageData* image);
   double ComputeElapsedSeconds() const;
@@ -158,6 +174,9 @@ struct vtkPenumbraRayCaster::Internals
   /// Lights the samples of `tracer` by the provider.
   void UseProvider(vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer) const;
   std::shared_ptr<const penumbra::LightEffects> MakeLightEffects(vtkPenumbraRayCaster* self) const;
+  /// Runs FinishPixels() and FinishImage().
+  bool FinishExecution(vtkPenumbraRayCaster* self, Execution& execution,
+    penumbra::ImageTotals& totals, vtkImageData* image);
   void Report(const penumbra::ImageTotals& totals, vtkIdType pixels);
   void ReportLimit(
     const penumbra::ImageTotals& totals, const penumbra::ToleranceReport& tolerances, bool isEnded);

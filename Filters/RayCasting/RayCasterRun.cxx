@@ -47,6 +47,7 @@ bool vtkPenumbraRayCaster::Internals::Run(
 {
   std::string error;
   bool finished = false;
+  bool isKnown = false; // to all ranks
   try
   {
     RequireResolution(self->Resolution, MaximumResolution);
@@ -81,6 +82,11 @@ bool vtkPenumbraRayCaster::Internals::Run(
   {
     finished = false;
   }
+  catch (const penumbra::RankFailure& failure)
+  {
+    error = failure.what();
+    isKnown = true;
+  }
   catch (const std::bad_alloc&)
   {
     error = "Out of memory. Reduce Resolution or simplify the scene.";
@@ -91,6 +97,10 @@ bool vtkPenumbraRayCaster::Internals::Run(
   }
   if (!finished || !error.empty())
   {
+    if (this->Distribution && !isKnown)
+    {
+      error = this->Distribution->Fail(error.empty() ? "The execution was aborted." : error);
+    }
     image->Initialize();
     this->DropScene();
   }

@@ -210,6 +210,11 @@ int vtkPenumbraRayCaster::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+void vtkPenumbraRayCaster::SetDistribution(penumbra::SceneDistribution* distribution)
+{
+  this->Implementation->Distribution = distribution;
+}
+
 int vtkPenumbraRayCaster::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
@@ -253,10 +258,15 @@ int vtkPenumbraRayCaster::RequestData(
   }
   Internals& internals = *this->Implementation;
   return internals.Run(this, image, [&]() {
+    if (internals.Distribution)
+    {
+      internals.Distribution->Compare(Internals::ListSettings(this));
+    }
     internals.Prepare(this, data);
     const bool finished = internals.Execute(this, image);
     const int* whole = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
-    if (finished && std::equal(extent, extent + 6, whole) && !internals.KeepsScene(this))
+    const bool isWhole = std::equal(extent, extent + 6, whole) || internals.Distribution;
+    if (finished && isWhole && !internals.KeepsScene(this))
     {
       internals.DropScene();
     }

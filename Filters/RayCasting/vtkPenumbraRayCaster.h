@@ -36,6 +36,11 @@ class vtkPenumbraIrradianceProvider;
 class vtkPenumbraMedium;
 class vtkRenderer;
 
+namespace penumbra
+{
+class SceneDistribution;
+}
+
 class VTKPENUMBRAFILTERSRAYCASTING_EXPORT vtkPenumbraRayCaster : public vtkImageAlgorithm
 {
 public:
@@ -372,6 +377,9 @@ public:
 protected:
   vtkPenumbraRayCaster();
   ~vtkPenumbraRayCaster() override;
+
+  /// Sets the other ranks that render the next images together with this one; null: none.
+  void SetDistribution(penumbra::SceneDistribution* distribution);
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(

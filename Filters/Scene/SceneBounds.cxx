@@ -56,25 +56,33 @@ AxisAlignedBox ComputeTriangleBounds(const Surface& surface)
   return bounds;
 }
 
+AxisAlignedBox ComputeDrawnBounds(const Surface& surface)
+{
+  if (surface.Whole)
+  {
+    return surface.Whole->DrawnBounds;
+  }
+  // Positions that no triangle uses are not drawn.
+  AxisAlignedBox box =
+    surface.Instances ? ComputeInstanceBounds(surface) : ComputeTriangleBounds(surface);
+  for (std::size_t i = 0; surface.IsRound() && i < surface.Positions.size(); ++i)
+  {
+    box.Add(surface.Positions[i] - surface.GetRadius(i));
+    box.Add(surface.Positions[i] + surface.GetRadius(i));
+  }
+  return box;
+}
+
 double ComputeSceneDiagonal(const Scene& scene)
 {
   vtkBoundingBox bounds;
   for (const Surface& surface : scene.Surfaces)
   {
-    // Positions that no triangle uses are not drawn.
-    const AxisAlignedBox box =
-      surface.Instances ? ComputeInstanceBounds(surface) : ComputeTriangleBounds(surface);
+    const AxisAlignedBox box = ComputeDrawnBounds(surface);
     if (!box.IsEmpty())
     {
       bounds.AddPoint(box.Low.x, box.Low.y, box.Low.z);
       bounds.AddPoint(box.High.x, box.High.y, box.High.z);
-    }
-    for (std::size_t i = 0; surface.IsRound() && i < surface.Positions.size(); ++i)
-    {
-      const glm::vec3 low = surface.Positions[i] - surface.GetRadius(i);
-      const glm::vec3 high = surface.Positions[i] + surface.GetRadius(i);
-      bounds.AddPoint(low.x, low.y, low.z);
-      bounds.AddPoint(high.x, high.y, high.z);
     }
   }
   return bounds.IsValid() ? bounds.GetDiagonalLength() / scene.Scale : 1.0;

@@ -12,6 +12,9 @@ namespace penumbra
 struct Scene;
 struct Surface;
 
+/// Returns the bounds of the primitives of a surface, in scene coordinates; empty if there are none.
+VTKPENUMBRAFILTERSSCENE_EXPORT AxisAlignedBox ComputeDrawnBounds(const Surface& surface);
+
 /// Returns the diagonal of the bounds of all surfaces, in world units; 1 for an empty scene.
 VTKPENUMBRAFILTERSSCENE_EXPORT double ComputeSceneDiagonal(const Scene& scene);
 

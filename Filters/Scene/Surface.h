@@ -5,6 +5,7 @@
 #ifndef penumbra_Surface_h
 #define penumbra_Surface_h
 
+#include "AxisAlignedBox.h"
 #include "Material.h"
 #include "RoundShape.h"
 #include "SurfaceInstances.h"
@@ -20,6 +21,18 @@
 
 namespace penumbra
 {
+
+/// What methods are chosen by, of a surface whose primitives are distributed over several scenes.
+struct WholeSurface
+{
+  AxisAlignedBox PositionBounds; ///< of the positions, if it has triangles; see CoincidentSurfaces
+  AxisAlignedBox DrawnBounds;    ///< of the primitives
+  bool HasTriangles = false;     ///< not those of Instances without an instance
+  bool IsTranslucent = false;    ///< see Surface::IsTranslucent()
+  bool MayCoincideWithItself = false; ///< see CoincidentSurfaces
+  bool IsDense = false;               ///< see HasSubpixelTriangles()
+  bool IsUnsteady = false;            ///< see HasUnsteadyNormals()
+};
 
 /// Triangle mesh, spheres or tubes with their material. Positions and Triangles reserve capacity
 /// for one more element, because Embree may read 16 bytes starting at the last one (see RayScene).
@@ -105,6 +118,10 @@ struct Surface
   /// Of coincident surfaces, the one with the smaller rank is in front; see DepthOffset.
   float DepthRank = 0.f;
   bool HasHiddenLines = false; ///< wireframe of which hidden lines are removed
+
+  /// If set, the surface is a part of this one: it has the primitives, in the order of the whole, that
+  /// may matter for a part of the image.
+  std::shared_ptr<const WholeSurface> Whole;
 
   bool IsTranslucent() const;
 
@@ -260,6 +277,10 @@ inline glm::vec3 Surface::ComputeNormal(std::uint32_t triangle) const
 
 inline bool Surface::IsTranslucent() const
 {
+  if (this->Whole)
+  {
+    return this->Whole->IsTranslucent;
+  }
   const auto translucent = [](const std::vector<glm::u8vec4>& colors) {
     return std::any_of(colors.begin(), colors.end(), [](glm::u8vec4 c) { return c.a < 255; });
   };

@@ -40,20 +40,24 @@ struct TileRange
 
 }
 
-void EdgeSource::SortByTiles(std::size_t count, const TileGrid& tiles, int minimumLarge)
+void EdgeSource::SortByTiles(
+  std::size_t count, const TileGrid& tiles, int minimumLarge, const Camera& camera)
 {
   const std::size_t bins = static_cast<std::size_t>(tiles.Count.x) * tiles.Count.y;
   if (count == 0 || bins == 0)
   {
     return;
   }
+  const TileGrid allTiles{ glm::dvec2(0.0), tiles.Side,
+    (glm::ivec2(camera.Width, camera.Height) + tiles.Side - 1) / tiles.Side };
   std::vector<char> isLarge(count, 0);
   this->ByTile.Fill(count, bins, [&](std::size_t first, std::size_t last, const auto& add) {
     for (std::size_t i = first; i < last; ++i)
     {
       const auto shape = static_cast<std::uint32_t>(i);
-      const TileRange range(this->FindBounds(shape), tiles);
-      isLarge[i] = range.GetNumberOfTiles() >= minimumLarge;
+      const ShapeBounds bounds = this->FindBounds(shape);
+      const TileRange range(bounds, tiles);
+      isLarge[i] = TileRange(bounds, allTiles).GetNumberOfTiles() >= minimumLarge;
       for (int y = range.First.y; y <= range.Last.y && !isLarge[i]; ++y)
       {
         for (int x = range.First.x; x <= range.Last.x; ++x)
@@ -82,13 +86,16 @@ void EdgeSource::Project(
   }
 }
 
-void EdgeSource::ProjectLarge(
-  glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges) const
+long long EdgeSource::ProjectLarge(const ImagePart& part, std::vector<ProjectedEdge>& edges) const
 {
+  long long count = 0;
   for (const std::uint32_t shape : this->Large)
   {
-    this->ProjectShape(shape, low - 2.0 * EdgeMargin, high + 2.0 * EdgeMargin, edges);
+    const std::size_t first = edges.size();
+    this->ProjectShape(shape, part.ImageLow, part.ImageHigh, edges);
+    count += part.Select(first, edges);
   }
+  return count;
 }
 
 }

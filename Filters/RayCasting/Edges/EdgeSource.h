@@ -39,12 +39,14 @@ public:
   /// twice EdgeMargin.
   void Project(int tile, glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges) const;
 
-  /// Appends the edges of large shapes, which are not in the tiles.
-  void ProjectLarge(glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges) const;
+  /// Appends the edges of large shapes, which are not in the tiles, as ProjectEdges().
+  long long ProjectLarge(const ImagePart& part, std::vector<ProjectedEdge>& edges) const;
 
 protected:
-  /// Sorts the shapes [0, count) by tiles. Those that overlap at least `minimumLarge` tiles are large.
-  void SortByTiles(std::size_t count, const TileGrid& tiles, int minimumLarge);
+  /// Sorts the shapes [0, count) by tiles. Those that overlap at least `minimumLarge` tiles of the whole
+  /// image of `camera` are large.
+  void SortByTiles(
+    std::size_t count, const TileGrid& tiles, int minimumLarge, const Camera& camera);
 
   virtual ShapeBounds FindBounds(std::uint32_t shape) const = 0;
   /// Appends the edges of a shape, clipped to the rectangle [low, high].

@@ -111,7 +111,7 @@ InstanceEdges::InstanceEdges(
       this->Shapes.emplace_back(scene.Surfaces[i], mesh[i]);
     }
   }
-  this->SortByTiles(this->Instances.size(), tiles, MinimumLargeTiles);
+  this->SortByTiles(this->Instances.size(), tiles, MinimumLargeTiles, scene.ViewCamera);
 }
 
 void InstanceEdges::ProjectShape(

@@ -288,7 +288,12 @@ MeshEdge MakeEdge(const Surface& surface, Index v, const HalfEdge* half, bool pa
   const auto opposite = [&](const HalfEdge& e) {
     return surface.Triangles[e.Triangle][(e.Side + 2) % 3];
   };
-  return { v, half->To, opposite(half[0]), opposite(half[pair ? 1 : 0]), isFeature };
+  // The order of the indices may be another one in a part of a surface, see Surface::Whole.
+  const glm::vec3 a = surface.Positions[v];
+  const glm::vec3 b = surface.Positions[half->To];
+  const bool isOrdered = std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  return { isOrdered ? v : half->To, isOrdered ? half->To : v, opposite(half[0]),
+    opposite(half[pair ? 1 : 0]), isFeature };
 }
 
 /// Finds the positions whose edges may be silhouettes, boundaries, seams or sides of large

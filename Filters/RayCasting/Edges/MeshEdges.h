@@ -20,7 +20,7 @@ struct Surface;
 /// An edge and its adjacent triangles.
 struct MeshEdge
 {
-  std::uint32_t A, B;        ///< indices of the two positions of the edge
+  std::uint32_t A, B; ///< indices of the two positions of the edge, in the order of coordinates
   std::uint32_t Left, Right; ///< opposite positions of its two triangles; equal on a boundary
   bool IsFeatureEdge;        ///< projected from every view
 };

@@ -314,7 +314,8 @@ RoundOutlines::RoundOutlines(const Scene& scene, const TileGrid& tiles)
         static_cast<std::uint32_t>(scene.Surfaces[i].GetNumberOfPrimitives()));
     }
   }
-  this->SortByTiles(this->FirstShape.back(), tiles, std::numeric_limits<int>::max());
+  this->SortByTiles(
+    this->FirstShape.back(), tiles, std::numeric_limits<int>::max(), scene.ViewCamera);
 }
 
 PrimitiveId RoundOutlines::FindPrimitive(std::uint32_t shape) const

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 
 namespace penumbra
 {
@@ -144,29 +146,55 @@ void ProjectEdge(glm::dvec3 a, glm::dvec3 b, const Camera& camera, glm::dvec2 lo
   }
 }
 
-void ProjectEdges(const Surface& surface, const std::vector<MeshEdge>& mesh, const Camera& camera,
-  glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges)
+ImagePart::ImagePart(const Camera& camera, glm::ivec2 low, glm::ivec2 high)
+  : ImageLow(-2.0 * EdgeMargin),
+    ImageHigh(glm::dvec2(camera.Width, camera.Height) + 2.0 * EdgeMargin),
+    Low(low),
+    High(high)
 {
-  low -= 2.0 * EdgeMargin;
-  high += 2.0 * EdgeMargin;
+}
+
+long long ImagePart::Select(std::size_t first, std::vector<ProjectedEdge>& edges) const
+{
+  long long count = 0;
+  const auto isOutside = [&](const ProjectedEdge& edge) {
+    const glm::dvec2 begin =
+      glm::clamp(edge.A, glm::dvec2(0.0), this->ImageHigh - 3.0 * EdgeMargin);
+    count += glm::all(glm::greaterThanEqual(begin, this->Low)) &&
+      glm::all(glm::lessThan(begin, this->High));
+    ProjectedEdge clipped = edge;
+    return !ClipToRectangle(clipped, this->Low - 2.0 * EdgeMargin, this->High + 2.0 * EdgeMargin);
+  };
+  edges.erase(
+    std::remove_if(edges.begin() + static_cast<std::ptrdiff_t>(first), edges.end(), isOutside),
+    edges.end());
+  return count;
+}
+
+long long ProjectEdges(const Surface& surface, const std::vector<MeshEdge>& mesh,
+  const Camera& camera, const ImagePart& part, std::vector<ProjectedEdge>& edges)
+{
   const std::vector<std::size_t> boundaries = SplitIntoParts(mesh.size(), ArrayGrain);
   const std::size_t parts = boundaries.size() - 1;
   std::vector<std::vector<ProjectedEdge>> projected(parts);
-  ParallelFor<std::size_t>(0, parts, 1, [&](std::size_t part) {
-    for (std::size_t i = boundaries[part]; i < boundaries[part + 1]; ++i)
+  std::vector<long long> counts(parts, 0);
+  ParallelFor<std::size_t>(0, parts, 1, [&](std::size_t k) {
+    for (std::size_t i = boundaries[k]; i < boundaries[k + 1]; ++i)
     {
       const MeshEdge& e = mesh[i];
       if (e.IsFeatureEdge || IsSilhouette(surface, e, camera))
       {
         ProjectEdge(glm::dvec3(surface.Positions[e.A]), glm::dvec3(surface.Positions[e.B]), camera,
-          low, high, projected[part]);
+          part.ImageLow, part.ImageHigh, projected[k]);
       }
     }
+    counts[k] = part.Select(0, projected[k]);
   });
   for (const std::vector<ProjectedEdge>& inPart : projected)
   {
     edges.insert(edges.end(), inPart.begin(), inPart.end());
   }
+  return std::accumulate(counts.begin(), counts.end(), 0LL);
 }
 
 }

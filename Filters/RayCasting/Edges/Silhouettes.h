@@ -60,12 +60,25 @@ bool ClipToRectangle(ProjectedEdge& edge, glm::dvec2 low, glm::dvec2 high);
 void ProjectEdge(glm::dvec3 a, glm::dvec3 b, const Camera& camera, glm::dvec2 low, glm::dvec2 high,
   std::vector<ProjectedEdge>& edges);
 
-/**
- * Appends the feature edges and silhouettes of `surface` as seen from `camera`. They are clipped to
- * the near plane and to the rectangle [low, high] of the image, enlarged by twice EdgeMargin.
- */
-void ProjectEdges(const Surface& surface, const std::vector<MeshEdge>& mesh, const Camera& camera,
-  glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges);
+/// A part of an image in pixels, [Low, High). Edges are clipped to the image, not to the part, so that their
+/// bits do not depend on it.
+struct ImagePart
+{
+  glm::dvec2 ImageLow, ImageHigh; ///< the image, enlarged by twice EdgeMargin
+  glm::dvec2 Low, High;
+
+  ImagePart(const Camera& camera, glm::ivec2 low, glm::ivec2 high);
+
+  /// Removes the edges from index `first` on that are not in this part. Returns the number of the others
+  /// that begin in it, so that each edge begins in one of the parts that divide an image.
+  long long Select(std::size_t first, std::vector<ProjectedEdge>& edges) const;
+};
+
+/// Appends the feature edges and silhouettes of `surface` as seen from `camera` that are in a part of the
+/// image. They are clipped to the near plane and to the image. Returns the number of edges that begin in
+/// the part.
+long long ProjectEdges(const Surface& surface, const std::vector<MeshEdge>& mesh,
+  const Camera& camera, const ImagePart& part, std::vector<ProjectedEdge>& edges);
 
 }
 #endif

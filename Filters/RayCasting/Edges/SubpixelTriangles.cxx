@@ -13,18 +13,20 @@
 namespace penumbra
 {
 
-bool HasSubpixelTriangles(const Surface& surface, const Camera& camera)
+SubpixelTriangles::SubpixelTriangles(std::size_t count, const Camera& camera)
+  : Minimum(camera.Width, camera.Height),
+    Stride(count / MaximumTrianglesSampled + 1)
 {
-  const std::size_t count = surface.IsRound() ? 0 : surface.GetNumberOfPrimitives();
-  const std::size_t stride = count / MaximumTrianglesSampled + 1;
+}
+
+void SubpixelTriangles::Add(const Surface& part, std::size_t first, const Camera& camera)
+{
+  const std::size_t count = part.IsRound() ? 0 : part.GetNumberOfPrimitives();
   const glm::dvec2 size(camera.Width, camera.Height);
-  glm::dvec2 minimum = size;
-  glm::dvec2 maximum(0.0);
-  double area = 0.0;
-  double visible = 0.0;
-  for (std::size_t t = 0; t < count; t += stride)
+  for (std::size_t t = (this->Stride - first % this->Stride) % this->Stride; t < count;
+       t += this->Stride)
   {
-    const ScreenTriangle triangle(surface.GetPoints(static_cast<std::uint32_t>(t)), camera);
+    const ScreenTriangle triangle(part.GetPoints(static_cast<std::uint32_t>(t)), camera);
     if (!triangle.IsWhole())
     {
       continue;
@@ -36,16 +38,33 @@ bool HasSubpixelTriangles(const Surface& surface, const Camera& camera)
     {
       continue;
     }
-    minimum = glm::max(glm::min(minimum, low), 0.0);
-    maximum = glm::min(glm::max(maximum, high), size);
-    area += 0.5 * std::abs(triangle.ComputeDoubleArea());
-    visible += 1.0;
+    this->Minimum = glm::max(glm::min(this->Minimum, low), 0.0);
+    this->Maximum = glm::min(glm::max(this->Maximum, high), size);
+    this->Area += 0.5 * std::abs(triangle.ComputeDoubleArea());
+    this->Visible += 1.0;
   }
+}
+
+bool SubpixelTriangles::AreDense() const
+{
   // Small triangles that are sparse in the image are small objects, which are covered exactly.
-  const glm::dvec2 extent = glm::max(maximum - minimum, 1.0);
-  return visible > 0.0 && area < SubpixelArea * visible &&
-    visible * static_cast<double>(stride) >
-    TrianglesPerPixel * extent.x * extent.y + MinimumTriangles;
+  const glm::dvec2 extent = glm::max(this->Maximum - this->Minimum, 1.0);
+  return this->Visible > 0.0 &&
+    this->Area<SubpixelArea* this->Visible&& this->Visible* static_cast<double>(this->Stride)>
+        TrianglesPerPixel *
+      extent.x * extent.y +
+    MinimumTriangles;
+}
+
+bool HasSubpixelTriangles(const Surface& surface, const Camera& camera)
+{
+  if (surface.Whole)
+  {
+    return surface.Whole->IsDense;
+  }
+  SubpixelTriangles triangles(surface.IsRound() ? 0 : surface.GetNumberOfPrimitives(), camera);
+  triangles.Add(surface, 0, camera);
+  return triangles.AreDense();
 }
 
 }

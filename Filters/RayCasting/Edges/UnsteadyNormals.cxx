@@ -65,6 +65,10 @@ bool HasUnsteadyNormal(const Surface& surface, std::size_t triangle)
 
 bool HasUnsteadyNormals(const Surface& surface)
 {
+  if (surface.Whole)
+  {
+    return surface.Whole->IsUnsteady;
+  }
   if (surface.Normals.empty() || surface.IsRound())
   {
     return false;

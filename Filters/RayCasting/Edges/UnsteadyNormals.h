@@ -21,7 +21,7 @@ VTKPENUMBRAFILTERSRAYCASTING_EXPORT bool HasUnsteadyNormal(
   const Surface& surface, std::size_t triangle);
 
 /// Returns true if a triangle of the surface has such a normal.
-bool HasUnsteadyNormals(const Surface& surface);
+VTKPENUMBRAFILTERSRAYCASTING_EXPORT bool HasUnsteadyNormals(const Surface& surface);
 
 }
 #endif

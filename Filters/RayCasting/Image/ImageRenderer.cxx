@@ -10,6 +10,7 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace penumbra
 {
@@ -110,6 +111,40 @@ void AddImageArrays(const RenderSettings& settings, vtkImageData* image)
   image->GetPointData()->SetActiveScalars("Color");
 }
 
+void SumErrors(vtkImageData* image, ImageTotals& totals)
+{
+  int size[3];
+  image->GetDimensions(size);
+  const auto sum = [&](const char* name) {
+    double squares = 0.0;
+    auto* errors = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(name));
+    for (int y = 0; errors && y < size[1]; ++y)
+    {
+      const float* const row = errors->GetPointer(static_cast<vtkIdType>(y) * size[0]);
+      squares += std::accumulate(row, row + size[0], 0.0,
+        [](double s, float error) { return s + static_cast<double>(error) * error; });
+    }
+    return squares;
+  };
+  totals.SquaredError = sum("EstimatedError");
+  totals.SquaredLightError = sum("EstimatedLightError");
+}
+
+void CompositeOverlay(const Overlay& overlay, vtkImageData* image)
+{
+  int size[3];
+  image->GetDimensions(size);
+  auto* color = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("Color"));
+  std::vector<glm::vec4> row(static_cast<std::size_t>(size[0]));
+  for (int y = 0; y < size[1]; ++y)
+  {
+    float* const pixels = color->GetPointer(4 * static_cast<vtkIdType>(y) * size[0]);
+    std::copy_n(pixels, 4 * size[0], &row[0].x);
+    overlay.CompositeOver(0, y, size[0], row.data());
+    std::copy_n(&row[0].x, 4 * size[0], pixels);
+  }
+}
+
 void StoreRegion(
   ImageRegion& region, const Overlay& overlay, vtkImageData* image, ImageTotals& totals)
 {
@@ -117,7 +152,7 @@ void StoreRegion(
   totals.Rays += region.Rays;
   totals.Pixels += region.Pixels;
   totals.Unfinished += region.Unfinished;
-  totals.Edges = std::max(totals.Edges, region.Edges);
+  totals.Edges += region.Edges;
 }
 
 bool RenderImage(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,

@@ -51,6 +51,12 @@ void AddImageArrays(const RenderSettings& settings, vtkImageData* image);
 void StoreRegion(
   ImageRegion& region, const Overlay& overlay, vtkImageData* image, ImageTotals& totals);
 
+/// Sets the squared errors of `totals` to those of the pixels of an image with these arrays.
+void SumErrors(vtkImageData* image, ImageTotals& totals);
+
+/// Composites `overlay` over the colors of an image of the whole extent.
+void CompositeOverlay(const Overlay& overlay, vtkImageData* image);
+
 /**
  * Adds the arrays `Color`, `Rays` and `EstimatedError` to `image`, whose extent is set, with light
  * effects also `EstimatedLightError`, if the settings say so `AmbientOcclusion`, and composites the overlay of the scene over `Color`. Adds

@@ -64,6 +64,7 @@ RegionRenderer::RegionRenderer(const CameraRayTracer& tracer, const SceneEdges& 
         glm::ivec2(tracer.GetScene().ViewCamera.Width, tracer.GetScene().ViewCamera.Height)),
       UsesCorners, tracer.GetShading().HasPenumbrae())
 {
+  this->Grid.SetCountedPixels(low, high);
   this->Region.Low = low;
   this->Region.High = high;
   const std::size_t pixels = static_cast<std::size_t>(high.x - low.x) * (high.y - low.y);
@@ -176,7 +177,7 @@ void RegionRenderer::BeginTiles(const ProgressCallback& progress)
     this->Unfinished.push_back(pixels.GetArea());
     squares.push_back(SumSquares(this->Region, pixels));
   }
-  this->Region.Edges = static_cast<long long>(this->Tiles->GetNumberOfEdges());
+  this->Region.Edges = this->Tiles->GetNumberOfEdges();
   std::stable_sort(
     this->Order.begin(), this->Order.end(), [&](int a, int b) { return squares[a] > squares[b]; });
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <tuple>
 
 namespace penumbra
 {
@@ -133,18 +134,17 @@ RegionTiles::RegionTiles(const CameraRayTracer& tracer, const CornerGrid& grid,
                                         : this->Cells)
 {
   const Scene& scene = tracer.GetScene();
-  const glm::dvec2 low(region.Low);
-  const glm::dvec2 high(region.High);
+  const ImagePart part(scene.ViewCamera, region.Low, region.High);
   for (std::size_t i = 0; i < sceneEdges.EdgesBySurface.size(); ++i)
   {
     ThrowIfStopped(progress, fraction);
     if (!scene.Surfaces[i].Instances)
     {
-      ProjectEdges(
-        scene.Surfaces[i], sceneEdges.EdgesBySurface[i], scene.ViewCamera, low, high, this->Edges);
+      this->NumberOfEdges += ProjectEdges(
+        scene.Surfaces[i], sceneEdges.EdgesBySurface[i], scene.ViewCamera, part, this->Edges);
     }
   }
-  this->Instances.ProjectLarge(low, high, this->Edges);
+  this->NumberOfEdges += this->Instances.ProjectLarge(part, this->Edges);
   BinEdges(this->Edges, nullptr, this->Edges.size(), this->Cells.Origin, TileSide, this->Count,
     this->EdgesByTile);
   this->Triangles.emplace(
@@ -162,11 +162,27 @@ RegionTiles::Rectangle RegionTiles::GetPixels(int tile) const
   return { glm::max(origin, this->Low), glm::min(origin + TileSide, this->High) };
 }
 
+// The order of edges decides the rounding of sums over the faces between them. It must not depend on how
+// triangles are numbered, because a part of a surface (Surface::Whole) numbers them otherwise.
+std::vector<std::uint32_t> RegionTiles::SortEdges(int tile) const
+{
+  const std::uint32_t* const first = this->EdgesByTile.Get(tile);
+  std::vector<std::uint32_t> indices(first, first + this->EdgesByTile.GetCount(tile));
+  const auto makeKey = [this](std::uint32_t i) {
+    const ProjectedEdge& e = this->Edges[i];
+    return std::make_tuple(e.A.x, e.A.y, e.B.x, e.B.y, e.DepthA, e.DepthB);
+  };
+  std::sort(indices.begin(), indices.end(),
+    [&](std::uint32_t a, std::uint32_t b) { return makeKey(a) < makeKey(b); });
+  return indices;
+}
+
 template <typename Use>
 void RegionTiles::UseEdges(int tile, const Use& use) const
 {
-  const std::uint32_t* const indices = this->EdgesByTile.Get(tile);
-  const std::size_t count = this->EdgesByTile.GetCount(tile);
+  const std::vector<std::uint32_t> sorted = this->SortEdges(tile);
+  const std::uint32_t* const indices = sorted.data();
+  const std::size_t count = sorted.size();
   const std::size_t shapes = this->Outlines.GetCount(tile) + this->Instances.GetCount(tile);
   if (shapes == 0)
   {

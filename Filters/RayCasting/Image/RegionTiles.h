@@ -33,8 +33,9 @@ public:
     double fraction);
 
   int GetCount() const { return this->Count.x * this->Count.y; }
-  /// Returns the number of projected edges that are not those of shapes in a single tile.
-  std::size_t GetNumberOfEdges() const { return this->Edges.size(); }
+  /// Returns the number of projected edges that begin in the region and are not those of shapes in a
+  /// single tile.
+  long long GetNumberOfEdges() const { return this->NumberOfEdges; }
 
   /// The pixels [Low, High) of a tile.
   struct Rectangle
@@ -58,6 +59,8 @@ public:
 
 private:
   glm::ivec2 GetOrigin(int tile) const;
+  /// Returns the edges of a tile, in the order of their coordinates.
+  std::vector<std::uint32_t> SortEdges(int tile) const;
   /// Calls use(edges) with the edges of a tile.
   template <typename Use>
   void UseEdges(int tile, const Use& use) const;
@@ -71,6 +74,7 @@ private:
   glm::ivec2 First, Count; ///< lower left tile and number of tiles, in units of tiles
   TileGrid Cells;
   std::vector<ProjectedEdge> Edges;
+  long long NumberOfEdges = 0;
   InstanceEdges Instances;
   EdgeBins EdgesByTile;
   RoundOutlines Outlines;

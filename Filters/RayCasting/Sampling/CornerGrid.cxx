@@ -48,8 +48,9 @@ void CornerGrid::TraceStrip(
 }
 
 void CornerGrid::TraceBlock(const CameraRayTracer& tracer, glm::ivec2 block, bool packets,
-  std::uint32_t penumbrae, RayCounts& counts)
+  std::uint32_t penumbrae, RayCounts& regionCounts)
 {
+  RayCounts counts;
   static_assert(BlockSide * BlockSide == CameraRayTracer::PacketSize, "one packet per block");
   const glm::ivec2 last(tracer.GetScene().ViewCamera.Width, tracer.GetScene().ViewCamera.Height);
   const glm::ivec2 first = (this->FirstBlock + block) * BlockSide;
@@ -94,6 +95,16 @@ void CornerGrid::TraceBlock(const CameraRayTracer& tracer, glm::ivec2 block, boo
     {
       this->At(p.x, p.y) = samples[i];
     }
+  }
+  const glm::ivec2 pixel = glm::min(first, last - 1);
+  if (glm::all(glm::greaterThanEqual(pixel, this->CountedLow)) &&
+    glm::all(glm::lessThan(pixel, this->CountedHigh)))
+  {
+    regionCounts += counts;
+  }
+  else
+  {
+    regionCounts.Repeated += counts.GetTotal();
   }
 }
 

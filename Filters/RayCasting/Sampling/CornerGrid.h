@@ -10,6 +10,7 @@
 #include "CameraRayTracer.h"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace penumbra
@@ -23,6 +24,14 @@ public:
   /// Allocates samples for the corners of the pixels [low, high), unless `allocate` is false.
   /// With `penumbrae`, a margin of one block is traced as well.
   CornerGrid(glm::ivec2 low, glm::ivec2 high, bool allocate = true, bool penumbrae = false);
+
+  /// Counts the rays of blocks outside the pixels [low, high) as RayCounts::Repeated. The corners at the
+  /// right and upper side of the whole image belong to its last pixels.
+  void SetCountedPixels(glm::ivec2 low, glm::ivec2 high)
+  {
+    this->CountedLow = low;
+    this->CountedHigh = high;
+  }
 
   /// Returns the number of strips: StripLength consecutive blocks of a row, or its rest.
   int GetNumberOfStrips() const { return this->StripsPerRow * this->Blocks.y; }
@@ -65,11 +74,13 @@ private:
   static constexpr int StripLength = 32;
 
   glm::ivec2 Low, High;
+  glm::ivec2 CountedLow{ 0 };
+  glm::ivec2 CountedHigh{ std::numeric_limits<int>::max() };
   /// Calls visit(block) for the blocks of a strip.
   template <typename Visit>
   void VisitStrip(int strip, const Visit& visit) const;
   void TraceBlock(const CameraRayTracer& tracer, glm::ivec2 block, bool packets,
-    std::uint32_t penumbrae, RayCounts& counts);
+    std::uint32_t penumbrae, RayCounts& regionCounts);
   std::uint32_t& FlagsAt(glm::ivec2 block, std::vector<std::uint32_t>& flags) const
   {
     return flags[static_cast<std::size_t>(block.y) * this->Blocks.x + block.x];

@@ -19,8 +19,14 @@ struct RayCounts
   long long Occlusion = 0;  ///< traced by the irradiance provider for ambient occlusion
   long long Indirect = 0;   ///< traced by the irradiance provider for irradiance
   long long Rasterized = 0; ///< samples whose hits were found by rasterization, not by rays
+  long long Repeated = 0;   ///< of corners at the border of a region, which other regions count
 
   long long GetImageRays() const { return this->Primary + this->Refinement; }
+  long long GetTotal() const
+  {
+    return this->Primary + this->Refinement + this->Auxiliary + this->Shadow + this->Shaft +
+      this->Occlusion + this->Indirect;
+  }
   RayCounts& operator+=(const RayCounts& other)
   {
     this->Primary += other.Primary;
@@ -31,6 +37,7 @@ struct RayCounts
     this->Occlusion += other.Occlusion;
     this->Indirect += other.Indirect;
     this->Rasterized += other.Rasterized;
+    this->Repeated += other.Repeated;
     return *this;
   }
 };

@@ -251,12 +251,13 @@ void AddVisibleOutlines(const CameraRayTracer& tracer,
   const Camera& camera = scene.ViewCamera;
   const RayScene& rays = tracer.GetRays();
   const glm::dvec2 size(camera.Width, camera.Height);
+  const ImagePart whole(camera, glm::ivec2(0), glm::ivec2(camera.Width, camera.Height));
   std::vector<ProjectedEdge> projected;
   for (std::size_t i = 0; i < edges.size(); ++i)
   {
     if (!scene.Surfaces[i].IsLineOrPoint)
     {
-      ProjectEdges(scene.Surfaces[i], edges[i], camera, glm::dvec2(0.0), size, projected);
+      ProjectEdges(scene.Surfaces[i], edges[i], camera, whole, projected);
     }
   }
   for (const ProjectedEdge& edge : projected)

@@ -28,23 +28,6 @@ constexpr double GrazingFactor = 64.0;
 /// Relative distance before the nearest of coincident hits from which a ray finds them again.
 constexpr float CoincidenceSlack = 4e-7f;
 
-AxisAlignedBox ComputeBounds(const Surface& surface)
-{
-  if (surface.Instances)
-  {
-    return ComputeInstanceBounds(surface);
-  }
-  AxisAlignedBox box;
-  if (!surface.Triangles.empty())
-  {
-    for (const glm::vec3& position : surface.Positions)
-    {
-      box.Add(position);
-    }
-  }
-  return box;
-}
-
 /// Returns the largest error of hits in a box along a ray, in scene units.
 float ComputeDepthTolerance(const AxisAlignedBox& box)
 {
@@ -74,10 +57,48 @@ std::tuple<bool, float, bool> MakeSortKey(const Surface& surface)
   return { !surface.IsLineOrPoint, surface.DepthRank, !surface.IsTranslucent() };
 }
 
-/// Returns true if several triangles of the surface may be at the same point and differ in color:
-/// lines and points, and polygons in one plane.
+/// Returns the error of the hit distance that results from the rounded vertices of the triangle.
+double ComputeRoundingError(const Ray& ray, const Surface& surface, std::uint32_t triangle)
+{
+  const std::array<glm::vec3, 3> points = surface.GetPoints(triangle);
+  const glm::dvec3 a(points[0]);
+  const glm::dvec3 b(points[1]);
+  const glm::dvec3 c(points[2]);
+  const glm::dvec3 farthest = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  const double facing = std::abs(glm::dot(normal, glm::dvec3(ray.Direction)));
+  return facing > 0.0 ? HalfUlp * glm::length(farthest) * glm::length(normal) / facing : 0.0;
+}
+
+}
+
+AxisAlignedBox ComputePositionBounds(const Surface& surface)
+{
+  if (surface.Whole)
+  {
+    return surface.Whole->PositionBounds;
+  }
+  if (surface.Instances)
+  {
+    return ComputeInstanceBounds(surface);
+  }
+  AxisAlignedBox box;
+  if (!surface.Triangles.empty())
+  {
+    for (const glm::vec3& position : surface.Positions)
+    {
+      box.Add(position);
+    }
+  }
+  return box;
+}
+
 bool MayCoincideWithItself(const Surface& surface)
 {
+  if (surface.Whole)
+  {
+    return surface.Whole->MayCoincideWithItself;
+  }
   if (surface.IsRound() || surface.Instances || surface.Triangles.size() < 2)
   {
     return false;
@@ -92,21 +113,6 @@ bool MayCoincideWithItself(const Surface& surface)
     return isColored || isShaded || surface.IsTranslucent();
   }
   return !surface.CellColors.empty() && IsPlanar(surface);
-}
-
-/// Returns the error of the hit distance that results from the rounded vertices of the triangle.
-double ComputeRoundingError(const Ray& ray, const Surface& surface, std::uint32_t triangle)
-{
-  const std::array<glm::vec3, 3> points = surface.GetPoints(triangle);
-  const glm::dvec3 a(points[0]);
-  const glm::dvec3 b(points[1]);
-  const glm::dvec3 c(points[2]);
-  const glm::dvec3 farthest = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
-  const glm::dvec3 normal = glm::cross(b - a, c - a);
-  const double facing = std::abs(glm::dot(normal, glm::dvec3(ray.Direction)));
-  return facing > 0.0 ? HalfUlp * glm::length(farthest) * glm::length(normal) / facing : 0.0;
-}
-
 }
 
 // Returns the hit of a surface that is drawn first, except the nearest one and, of several that are
@@ -174,8 +180,8 @@ float CandidateHits::Add(const CandidateHit& hit, float tolerance, bool isLastIn
 }
 
 CoincidentSurfaces::Traits::Traits(const Surface& surface)
-  : Bounds(ComputeBounds(surface)),
-    HasTriangles(!surface.Triangles.empty()),
+  : Bounds(ComputePositionBounds(surface)),
+    HasTriangles(surface.Whole ? surface.Whole->HasTriangles : !surface.Triangles.empty()),
     IsTranslucent(surface.IsTranslucent()),
     MayCoincideWithItself(penumbra::MayCoincideWithItself(surface)),
     SortKey(MakeSortKey(surface))

@@ -53,6 +53,13 @@ private:
   CandidateHit* FindFirstDrawn(std::uint32_t surface);
 };
 
+/// Returns the bounds of the positions of a surface with triangles; empty without triangles.
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT AxisAlignedBox ComputePositionBounds(const Surface& surface);
+
+/// Returns true if several triangles of the surface may be at the same point and differ in color:
+/// lines and points, and polygons in one plane.
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT bool MayCoincideWithItself(const Surface& surface);
+
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT CoincidentSurfaces
 {
 public:

@@ -132,6 +132,15 @@ double FindLargestRadius(const DrawItem& item, double pointWidth)
   return radius;
 }
 
+/// Adds what other processes show.
+void UniteExtent(const ExtractionOptions& options, double bounds[6], double& radius)
+{
+  if (options.UniteExtent)
+  {
+    options.UniteExtent(bounds, radius);
+  }
+}
+
 /// Moves the sides of `bounds` outward.
 void Inflate(double radius, double bounds[6])
 {
@@ -417,6 +426,8 @@ Scene ExtractScene(
   {
     ComputeBounds(items, bounds);
   }
+  double noRadius = 0.0;
+  UniteExtent(options, bounds, noRadius);
   if (renderer->IsActiveCameraCreated() && vtkBoundingBox(bounds).IsValid())
   {
     // Rays must start in front of spheres and tubes.
@@ -426,6 +437,7 @@ Scene ExtractScene(
     {
       largest = std::max(largest, FindLargestRadius(item, width * options.DPI / 72.0));
     }
+    UniteExtent(options, bounds, largest);
     Inflate(largest, bounds);
   }
   Scene scene;
@@ -562,6 +574,8 @@ Scene ExtractScene(const std::vector<vtkDataObject*>& data, const ExtractionOpti
   RequireMemoryForItems(items);
   double bounds[6];
   ComputeBounds(items, bounds);
+  double noRadius = 0.0;
+  UniteExtent(options, bounds, noRadius);
   ResetCamera(bounds, options, scene);
   scene.Lights = { MakeHeadlight(scene) };
   if (options.Background)

@@ -49,6 +49,9 @@ struct ExtractionOptions
   double PointRadius = 0.0;     ///< world units: points are spheres; 0: as their property requests
   double LineRadius = 0.0;      ///< world units: lines are tubes; 0: as their property requests
   std::function<LightSize(vtkLight*)> GetLightSize; ///< if empty, lights have no size
+  /// Called with the bounds of what is shown (Low > High: nothing) and the largest radius of spheres and
+  /// tubes, in world units, which it may enlarge by those of other processes. Empty: there are none.
+  std::function<void(double bounds[6], double& radius)> UniteExtent;
   DepthQuery FindDepths;     ///< for labels of visible points; if empty, all points are visible
   ProgressCallback Progress; ///< on a stop request, ExtractScene() throws Stopped
 };

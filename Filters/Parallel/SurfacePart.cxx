@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfacePart.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace penumbra
+{
+namespace
+{
+
+using Index = std::uint32_t;
+
+/// Returns the selected elements; none if `values` is empty.
+template <typename T>
+std::vector<T> Select(const std::vector<T>& values, const std::vector<Index>& indices)
+{
+  std::vector<T> selected;
+  if (!values.empty())
+  {
+    selected.reserve(indices.size());
+    std::transform(indices.begin(), indices.end(), std::back_inserter(selected),
+      [&](Index i) { return values[i]; });
+  }
+  return selected;
+}
+
+/// The positions of a part.
+class UsedPositions
+{
+public:
+  UsedPositions(const Surface& surface, const std::vector<Index>& primitives)
+    : NewIds(surface.Positions.size(), None)
+  {
+    for (const Index primitive : primitives)
+    {
+      const glm::uvec3 corners = surface.GetCorners(primitive);
+      for (int i = 0; i < 3; ++i)
+      {
+        this->NewIds[corners[i]] = 0;
+      }
+    }
+    for (std::size_t i = 0; i < this->NewIds.size(); ++i)
+    {
+      if (this->NewIds[i] != None)
+      {
+        this->NewIds[i] = static_cast<Index>(this->Positions.size());
+        this->Positions.push_back(static_cast<Index>(i));
+      }
+    }
+  }
+
+  const std::vector<Index>& GetPositions() const { return this->Positions; }
+  Index GetNewId(Index position) const { return this->NewIds[position]; }
+
+private:
+  static constexpr Index None = std::numeric_limits<Index>::max();
+  std::vector<Index> NewIds;
+  std::vector<Index> Positions;
+};
+
+/// Returns the indices that a surface of instances needs of its shape: all.
+std::vector<Index> ListAll(std::size_t count)
+{
+  std::vector<Index> all(count);
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+/// Appends an array of indices into positions, of which there were `offset` before.
+template <typename T>
+void AppendIndices(ByteReader& bytes, Index offset, std::vector<T>& indices)
+{
+  const std::size_t before = indices.size();
+  bytes.AppendArray(indices);
+  for (std::size_t i = before; i < indices.size(); ++i)
+  {
+    indices[i] += offset;
+  }
+}
+
+void AddInstances(
+  const SurfaceInstances& instances, const std::vector<Index>& units, ByteWriter& bytes)
+{
+  bytes.AddArray(Select(instances.Transforms, units));
+  bytes.AddArray(Select(instances.Colors, units));
+  bytes.AddArray(Select(instances.Ids, units));
+  bytes.Add(instances.Center);
+  bytes.Add(instances.HalfSize);
+  bytes.Add(instances.Radius);
+}
+
+std::shared_ptr<const SurfaceInstances> GetInstances(ByteReader& bytes)
+{
+  auto instances = std::make_shared<SurfaceInstances>();
+  bytes.AppendArray(instances->Transforms);
+  bytes.AppendArray(instances->Colors);
+  bytes.AppendArray(instances->Ids);
+  bytes.Get(instances->Center);
+  bytes.Get(instances->HalfSize);
+  bytes.Get(instances->Radius);
+  return instances;
+}
+
+}
+
+std::size_t CountUnits(const Surface& surface)
+{
+  return surface.Instances ? surface.Instances->GetCount() : surface.GetNumberOfPrimitives();
+}
+
+void AddPart(const Surface& surface, const std::vector<Index>& units, ByteWriter& bytes)
+{
+  const std::vector<Index> primitives =
+    surface.Instances ? ListAll(surface.Triangles.size()) : units;
+  const UsedPositions used(surface, primitives);
+  const std::vector<Index>& positions = used.GetPositions();
+  bytes.AddArray(Select(surface.Positions, positions));
+  bytes.AddArray(Select(surface.Normals, positions));
+  bytes.AddArray(Select(surface.PointColors, positions));
+  bytes.AddArray(Select(surface.ColorCoordinates, positions));
+  bytes.AddArray(Select(surface.Tangents, positions));
+  bytes.AddArray(Select(surface.TextureCoordinates, positions));
+  bytes.AddArray(
+    surface.Radii.size() > 1 ? Select(surface.Radii, positions) : std::vector<float>());
+  std::vector<glm::uvec3> triangles;
+  std::vector<glm::uvec2> segments;
+  std::vector<Index> cells;
+  for (const Index primitive : primitives)
+  {
+    const glm::uvec3 corners = surface.GetCorners(primitive);
+    if (!surface.IsRound())
+    {
+      triangles.emplace_back(
+        used.GetNewId(corners.x), used.GetNewId(corners.y), used.GetNewId(corners.z));
+    }
+    else if (!surface.Segments.empty())
+    {
+      segments.emplace_back(used.GetNewId(corners.x), used.GetNewId(corners.y));
+    }
+    if (!surface.Instances)
+    {
+      cells.push_back(surface.GetCellId(primitive));
+    }
+  }
+  bytes.AddArray(triangles);
+  bytes.AddArray(segments);
+  bytes.AddArray(cells);
+  bytes.AddArray(Select(surface.TriangleNormals, primitives));
+  bytes.AddArray(Select(surface.CellColors, primitives));
+  bytes.Add(surface.Instances != nullptr);
+  if (surface.Instances)
+  {
+    AddInstances(*surface.Instances, units, bytes);
+  }
+}
+
+std::size_t CountBytes(const Surface& surface)
+{
+  std::size_t sum = 0;
+  const auto add = [&](const auto& values) {
+    sum += sizeof(std::uint64_t) + values.size() * sizeof(values[0]);
+  };
+  add(surface.Positions);
+  add(surface.Normals);
+  add(surface.PointColors);
+  add(surface.ColorCoordinates);
+  add(surface.Tangents);
+  add(surface.TextureCoordinates);
+  add(surface.Radii.size() > 1 ? surface.Radii : std::vector<float>());
+  add(surface.Triangles);
+  add(surface.Segments);
+  const std::size_t cells = surface.Instances ? 0 : surface.GetNumberOfPrimitives();
+  sum += sizeof(std::uint64_t) + cells * sizeof(Index);
+  add(surface.TriangleNormals);
+  add(surface.CellColors);
+  sum += sizeof(bool);
+  if (surface.Instances)
+  {
+    add(surface.Instances->Transforms);
+    add(surface.Instances->Colors);
+    add(surface.Instances->Ids);
+    sum += sizeof(SurfaceInstances::Center) + sizeof(SurfaceInstances::HalfSize) +
+      sizeof(SurfaceInstances::Radius);
+  }
+  return sum;
+}
+
+void AppendPart(ByteReader& bytes, Surface& surface)
+{
+  const auto offset = static_cast<Index>(surface.Positions.size());
+  bytes.AppendArray(surface.Positions);
+  bytes.AppendArray(surface.Normals);
+  bytes.AppendArray(surface.PointColors);
+  bytes.AppendArray(surface.ColorCoordinates);
+  bytes.AppendArray(surface.Tangents);
+  bytes.AppendArray(surface.TextureCoordinates);
+  const auto radii = bytes.GetArray<float>();
+  if (!radii.empty())
+  {
+    surface.Radii.resize(offset);
+    surface.Radii.insert(surface.Radii.end(), radii.begin(), radii.end());
+  }
+  AppendIndices(bytes, offset, surface.Triangles);
+  AppendIndices(bytes, offset, surface.Segments);
+  bytes.AppendArray(surface.CellIds);
+  bytes.AppendArray(surface.TriangleNormals);
+  bytes.AppendArray(surface.CellColors);
+  if (bytes.Get<bool>())
+  {
+    surface.Instances = GetInstances(bytes);
+  }
+}
+
+// Embree reads 16 bytes at the last element, see Surface.
+void FinishParts(Surface& surface)
+{
+  surface.Positions.reserve(surface.Positions.size() + 1);
+  surface.Triangles.reserve(surface.Triangles.size() + 1);
+}
+
+}

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The tiles of an image that the units of a surface (see CountUnits()) may matter for.
+#ifndef penumbra_UnitTiles_h
+#define penumbra_UnitTiles_h
+
+#include "Camera.h"
+#include "ImageDivision.h"
+#include "Surface.h"
+#include "SurfacePart.h"
+#include "Tiles/ScreenTriangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace penumbra
+{
+
+/// Distance in pixels from a tile up to which rays for its pixels are traced: to the corners of the next
+/// pixels, and displaced by a fraction of a pixel.
+constexpr double TileMargin = 2.0;
+
+/// Calls visit(tile) for the tiles that a box may be seen in.
+template <typename Visit>
+void VisitTilesOfBox(const AxisAlignedBox& box, const Camera& camera, const Visit& visit)
+{
+  const glm::ivec2 tiles = ImageDivision::CountTiles({ camera.Width, camera.Height });
+  glm::dvec2 low(std::numeric_limits<double>::infinity());
+  glm::dvec2 high(-low);
+  double nearest = std::numeric_limits<double>::infinity();
+  double farthest = -nearest;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec3 p(corner & 1 ? box.Low.x : box.High.x, corner & 2 ? box.Low.y : box.High.y,
+      corner & 4 ? box.Low.z : box.High.z);
+    const double depth = camera.Depth(p);
+    nearest = std::min(nearest, depth);
+    farthest = std::max(farthest, depth);
+    const glm::dvec2 q = camera.Project(p);
+    low = glm::min(low, q);
+    high = glm::max(high, q);
+  }
+  if (farthest < camera.Near)
+  {
+    return;
+  }
+  glm::ivec2 first(0);
+  glm::ivec2 last(tiles - 1);
+  if (camera.Parallel || nearest > 0.0)
+  {
+    constexpr double Side = ImageDivision::TileSide;
+    const glm::dvec2 end(tiles);
+    first = glm::ivec2(glm::clamp(glm::floor((low - TileMargin) / Side), glm::dvec2(0.0), end));
+    last =
+      glm::ivec2(glm::clamp(glm::floor((high + TileMargin) / Side), glm::dvec2(-1.0), end - 1.0));
+  }
+  for (int y = first.y; y <= last.y; ++y)
+  {
+    for (int x = first.x; x <= last.x; ++x)
+    {
+      visit(y * tiles.x + x);
+    }
+  }
+}
+
+/// Calls visit(unit, tile) for all units of a surface, one after the other.
+template <typename Visit>
+void VisitTilesOfUnits(const Surface& surface, const Camera& camera, const Visit& visit)
+{
+  const glm::ivec2 tiles = ImageDivision::CountTiles({ camera.Width, camera.Height });
+  const auto count = static_cast<std::uint32_t>(CountUnits(surface));
+  for (std::uint32_t unit = 0; unit < count; ++unit)
+  {
+    const auto visitUnit = [&](int tile) { visit(unit, tile); };
+    if (surface.Instances)
+    {
+      VisitTilesOfBox(surface.Instances->GetBox(unit), camera, visitUnit);
+    }
+    else if (surface.IsRound())
+    {
+      const RoundShape shape = surface.GetRoundShape(unit);
+      AxisAlignedBox box;
+      box.Add(shape.A - shape.RadiusA);
+      box.Add(shape.A + shape.RadiusA);
+      box.Add(shape.B - shape.RadiusB);
+      box.Add(shape.B + shape.RadiusB);
+      VisitTilesOfBox(box, camera, visitUnit);
+    }
+    else
+    {
+      VisitCells(ScreenTriangle(surface.GetPoints(unit), camera), TileMargin, glm::dvec2(0.0),
+        ImageDivision::TileSide, tiles, visitUnit);
+    }
+  }
+}
+
+}
+#endif
