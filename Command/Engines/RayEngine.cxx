@@ -143,8 +143,7 @@ int FindVectorFormat(const std::string& path)
 /// Returns true if occlusion or indirect light are interpolated between records.
 bool UsesCache(const RenderOptions& options)
 {
-  const bool joinsPixels = !options.Shafts.Enabled && options.Gatherer == "rays";
-  return options.Cache != "none" && !(options.Cache == "auto" && joinsPixels);
+  return options.Cache != "none" && !(options.Cache == "auto" && options.Gatherer == "rays");
 }
 
 vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(

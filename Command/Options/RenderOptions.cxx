@@ -334,7 +334,7 @@ void DeclareEffects(const CommandLine& app, RenderOptions& options)
     .Group(group);
   AddChoice(app, "--cache", options.Cache, { "auto", "world", "screen", "none" },
     "Interpolate occlusion and indirect light between records in world space or over the image; "
-    "none: join the rays of neighboring pixels; auto: none, in a medium world (ray)")
+    "none: join the rays of neighboring pixels; auto: none, world with --gatherer cube-map (ray)")
     .Group(group);
   app.AddFlag("--shadows", options.Shadows, "Shadows of the lights (ray)").Group(group);
   AddLightRadiusOption(app, options.LightRadius, "; implies --shadows (ray)").Group(group);

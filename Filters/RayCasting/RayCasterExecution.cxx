@@ -17,6 +17,7 @@
 #include "vtkMath.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace
@@ -117,11 +118,18 @@ void vtkPenumbraRayCaster::Internals::UseProvider(
   }
 }
 
+// The errors of light from a medium and of light that pixels join are independent.
+double vtkPenumbraRayCaster::Internals::FindEffectTolerance(vtkPenumbraRayCaster* self) const
+{
+  const double tolerance = self->GetEffectiveLightTolerance();
+  return this->Medium && this->JoinsPixels(self) ? std::sqrt(0.5) * tolerance : tolerance;
+}
+
 std::shared_ptr<const penumbra::LightEffects> vtkPenumbraRayCaster::Internals::MakeLightEffects(
   vtkPenumbraRayCaster* self) const
 {
   auto effects = std::make_shared<penumbra::LightEffects>();
-  effects->Tolerance = self->GetEffectiveLightTolerance();
+  effects->Tolerance = this->FindEffectTolerance(self);
   effects->Light = this->Light;
   if (this->FindOcclusion(self).On)
   {
@@ -176,7 +184,7 @@ vtkPenumbraRayCaster::Internals::BeginExecution(vtkPenumbraRayCaster* self)
   std::string warning;
   std::optional<penumbra::LightShafts> made =
     penumbra::MakeLightShafts(this->Medium, shading, penumbra::ComputeSceneDiagonal(scene),
-      { lightTolerance, this->Constants.LightShaftSteps }, warning);
+      { this->FindEffectTolerance(self), this->Constants.LightShaftSteps }, warning);
   std::optional<penumbra::LightShafts>& shafts = execution->Shafts;
   if (made)
   {

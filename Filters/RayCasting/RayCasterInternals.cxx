@@ -301,10 +301,9 @@ double vtkPenumbraRayCaster::Internals::FindOcclusionRadius(vtkPenumbraRayCaster
     : penumbra::DefaultRadiusFraction * penumbra::ComputeSceneDiagonal(this->Prepared->SceneData);
 }
 
-// Occlusion does not act on the light of a medium.
 bool vtkPenumbraRayCaster::Internals::JoinsPixels(vtkPenumbraRayCaster* self) const
 {
   return this->IrradianceProvider->JoinsPixels() &&
     this->Constants.CoverageMethod != penumbra::CoverageMethods::Uniform &&
-    (this->FindOcclusion(self).On || (self->IndirectLight && self->Albedo > 0.0)) && !this->Medium;
+    (this->FindOcclusion(self).On || (self->IndirectLight && self->Albedo > 0.0));
 }

@@ -173,6 +173,8 @@ struct vtkPenumbraRayCaster::Internals
   bool BeginProvider(vtkPenumbraRayCaster* self);
   /// Lights the samples of `tracer` by the provider.
   void UseProvider(vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer) const;
+  /// Returns the accepted error of the light of a medium, and of light that pixels join.
+  double FindEffectTolerance(vtkPenumbraRayCaster* self) const;
   std::shared_ptr<const penumbra::LightEffects> MakeLightEffects(vtkPenumbraRayCaster* self) const;
   /// Runs FinishPixels() and FinishImage().
   bool FinishExecution(vtkPenumbraRayCaster* self, Execution& execution,

@@ -43,7 +43,7 @@ constexpr float PartRidge = 0.01f;
 constexpr int FirstSiteRays = 8;
 constexpr int MaximumSiteRays = 1024;
 /// Number of rounds after the first, and largest factor by which the number of rays grows in each.
-constexpr int LightRounds = 4;
+constexpr int LightRounds = 6;
 constexpr float LargestRayGrowth = 4.f;
 /// Number of occlusion rays from each hit of a camera ray in these rounds, where a pixel has one site.
 constexpr std::uint32_t RaysOfHit = 4;

@@ -329,7 +329,8 @@ private:
   TileSamples<N> Tiles;
   double Tolerance;
   float UniformLight;
-  int Round = 0; ///< next one; 0: the sites are not known
+  bool UsesColors; ///< the color of a pixel tells which parts of it the sites cover
+  int Round = 0;   ///< next one; 0: the sites are not known
 };
 
 template <int N>
@@ -339,7 +340,8 @@ JoinedLight<N>::JoinedLight(
     Grid(MakeGrid<N>(tracer.GetScene().ViewCamera, low, high)),
     Tiles(*this, this->Grid, tracer, this->Rays),
     Tolerance(effects.Tolerance),
-    UniformLight(effects.GetUniformLight())
+    UniformLight(effects.GetUniformLight()),
+    UsesColors(!tracer.HasShafts())
 {
   this->Grid.SquaredRange = this->Rays.GetSquaredRange();
 }
@@ -424,7 +426,8 @@ float JoinedLight<N>::ComputeSquaredError(const LightSite<N>& site, float sample
 // The color of the whole pixel is known, that of its samples too: the change is predicted by linear
 // regression on the color, among the samples, as their mean differs from the pixel. Without variance,
 // the change is in proportion to the color. What the regression leaves of the difference between both
-// halves of the samples estimates the error.
+// halves of the samples estimates the error. In a medium, the samples lack the light that it scatters: their
+// mean change is that of the pixel.
 template <int N>
 LightField::Change JoinedLight<N>::At(int x, int y) const
 {
@@ -463,8 +466,9 @@ LightField::Change JoinedLight<N>::At(int x, int y) const
   for (int c = 0; c < 3; ++c)
   {
     const float ratio = color[c] > 0.f ? change[c] / color[c] : 0.f;
-    const float slope =
-      std::max((covariance[c] + ridge[c] * ratio) / (variance[c] + ridge[c]), -1.f);
+    const float slope = this->UsesColors
+      ? std::max((covariance[c] + ridge[c] * ratio) / (variance[c] + ridge[c]), -1.f)
+      : 0.f;
     result.Factor[c] = 1.f + slope;
     result.Offset[c] = change[c] - slope * color[c];
     float difference = 0.f;

@@ -97,12 +97,19 @@ float CameraRayTracer::ComputeOcclusion(
 
 // The alpha of the medium is that of its most transparent channel; `tint` is the transmittance of the
 // other channels relative to it.
-void CameraRayTracer::AddMedium(
-  const Ray& ray, double from, double to, Sample& sample, glm::vec3& tint, RayCounts& counts) const
+void CameraRayTracer::AddMedium(const Ray& ray, double from, double to, bool scatters,
+  Sample& sample, glm::vec3& tint, RayCounts& counts) const
 {
   const float weight = 1.f - sample.Color.a;
-  const LightShafts::InScattering scattered =
-    this->Shafts->Along(ray, from, to, weight, counts.Shaft);
+  LightShafts::InScattering scattered;
+  if (scatters)
+  {
+    scattered = this->Shafts->Along(ray, from, to, weight, counts.Shaft);
+  }
+  else
+  {
+    scattered.Transmittance = this->Shafts->ComputeTransmittance(ray, from, to);
+  }
   const glm::vec3& through = scattered.Transmittance;
   const float most = std::max(through.r, std::max(through.g, through.b));
   sample.Color += weight * glm::vec4(tint * scattered.Light, 1.f - most);
@@ -144,7 +151,7 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
     if (this->Shafts &&
       (this->Shafts->GetMedium().IncludesTranslucentSurfaces || !surface.IsTranslucent()))
     {
-      this->AddMedium(ray, distance, hit.Distance, sample, tint, counts);
+      this->AddMedium(ray, distance, hit.Distance, !layers, sample, tint, counts);
       distance = hit.Distance;
     }
     const float remaining = 1.f - color.a;
@@ -193,7 +200,8 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
   }
   if (this->Shafts && !hit.IsHit())
   {
-    this->AddMedium(ray, distance, std::numeric_limits<double>::infinity(), sample, tint, counts);
+    this->AddMedium(
+      ray, distance, std::numeric_limits<double>::infinity(), !layers, sample, tint, counts);
   }
   sample.Error += lighting.Finish(ray, sample.Color, counts);
   if (hit.IsHit() && sample.OpaqueDepth == std::numeric_limits<float>::infinity())

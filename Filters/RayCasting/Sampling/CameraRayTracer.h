@@ -83,9 +83,9 @@ public:
     RayCounts& counts, double toleranceScale = 1.0, std::uint32_t penumbrae = 0,
     std::vector<PenumbraNeighbors>* neighbors = nullptr) const;
 
-  /// TracePacket() without the occlusion and the irradiance of providers, and without a medium. Stores the
-  /// layers of each point on which light acts, front to back, in `layers`. Points whose bit in
-  /// `shaded` is not set may get no colors.
+  /// TracePacket() without the occlusion and the irradiance of providers, and without the light that a
+  /// medium scatters toward the camera. Stores the layers of each point on which light acts, front to back,
+  /// in `layers`. Points whose bit in `shaded` is not set may get no colors.
   void TraceLayers(const glm::dvec2* points, unsigned int active, unsigned int shaded,
     Sample* samples, std::vector<LitLayer>* layers, RayCounts& counts) const;
 
@@ -161,8 +161,9 @@ public:
   bool HasTranslucentSurfaces() const { return this->Translucent; }
 
 private:
-  void AddMedium(const Ray& ray, double from, double to, Sample& sample, glm::vec3& tint,
-    RayCounts& counts) const;
+  /// Adds a segment of the medium, with the light that it scatters if `scatters`.
+  void AddMedium(const Ray& ray, double from, double to, bool scatters, Sample& sample,
+    glm::vec3& tint, RayCounts& counts) const;
   void CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts,
     double toleranceScale, std::uint32_t penumbrae, std::vector<PenumbraNeighbors>* neighbors,
     std::vector<LitLayer>* layers = nullptr) const;

@@ -3,6 +3,7 @@
 #include "vtkPenumbraMedium.h"
 
 #include "ClosedForms/HalfPlaneScattering.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraRayCaster.h"
 #include "vtkPenumbraRayCasterConstants.h"
 
@@ -21,6 +22,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkSphereSource.h"
 
 #include <gtest/gtest.h>
 
@@ -64,6 +66,22 @@ protected:
     auto* color =
       vtkFloatArray::SafeDownCast(this->Caster->GetOutput()->GetPointData()->GetArray("Color"));
     return { color->GetPointer(0), color->GetPointer(0) + color->GetNumberOfValues() };
+  }
+
+  /// Replaces all props by a white wall, x = 5, in the medium between x = -2 and 5.
+  void ReplaceProps()
+  {
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(5.0, -50.0, -50.0);
+    plane->SetPoint1(5.0, 50.0, -50.0);
+    plane->SetPoint2(5.0, -50.0, 50.0);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(plane->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    this->Renderer->RemoveAllViewProps();
+    this->Renderer->AddActor(actor);
+    this->Medium->SetBounds(-2.0, 5.0, -1000.0, 1000.0, -1000.0, 1000.0);
   }
 
   double Statistic(const char* name)
@@ -147,6 +165,72 @@ TEST_F(MediumTest, AttenuatesEachChannelOfTheBackground)
     EXPECT_NEAR(center[i], std::exp(-(extinctions[i] + 0.05 * factors[i]) * 6.3), 2e-3);
   }
   EXPECT_NEAR(center[3], 1.0, 1e-6);
+}
+
+TEST_F(MediumTest, AttenuatesReflectedSkyLight)
+{
+  // A wall that reflects half the light of a white sky, at a distance of 6.3.
+  this->ReplaceProps();
+  this->Light->SetIntensity(1e-30);
+  this->Medium->SetScattering(0.1);
+  this->Medium->SetExtinction(0.3);
+  this->Medium->SetExtinctionColor(1.0, 0.5, 2.0);
+  this->Caster->IndirectLightOn();
+  this->Caster->SetEnvironmentColor(1.0, 1.0, 1.0);
+  this->Caster->SetAlbedo(0.5);
+  const std::vector<float> image = this->Render();
+  const float* center = &image[4 * (Height / 2 * Width + Width / 2)];
+  const double extinctions[] = { 0.3, 0.15, 0.6 };
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(center[i], 0.5 * std::exp(-extinctions[i] * 6.3), 2e-3);
+  }
+}
+
+TEST_F(MediumTest, JoinedPixelsAgreeWithEstimatesAtEachPoint)
+{
+  this->ReplaceProps();
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(3.5, 0.2, 0.1);
+  ball->SetRadius(0.8);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(ball->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(1.0, 0.6, 0.3);
+  this->Renderer->AddActor(actor);
+  this->Light->SetIntensity(10.0);
+  this->Medium->SetScattering(0.2);
+  this->Medium->SetExtinction(0.2);
+  this->Caster->IndirectLightOn();
+  this->Caster->AmbientOcclusionOn();
+  this->Caster->SetEnvironmentColor(0.4, 0.6, 0.9);
+  this->Caster->SetTolerance(1.0 / 512.0);
+  this->Caster->SetLightTolerance(0.005);
+  const std::vector<float> joined = this->Render();
+  EXPECT_EQ(this->Warnings, 0);
+  const std::vector<float> withoutJoining = [&] {
+    vtkNew<vtkPenumbraBruteForceIrradiance> points;
+    points->JoinPixelsOff();
+    this->Caster->SetIrradianceProvider(points);
+    return this->Render();
+  }();
+  double squares = 0.0;
+  double sums[3] = {};
+  for (int p = 0; p < Width * Height; ++p)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const double difference = joined[4 * p + i] - withoutJoining[4 * p + i];
+      squares += difference * difference / 3.0;
+      sums[i] += difference;
+    }
+  }
+  EXPECT_LT(std::sqrt(squares / (Width * Height)), 0.005);
+  for (const double sum : sums)
+  {
+    EXPECT_NEAR(sum / (Width * Height), 0.0, 0.001);
+  }
 }
 
 TEST_F(MediumTest, AttenuatesLightOnItsWayToSurfaces)
@@ -241,6 +325,7 @@ TEST_F(MediumTest, IsIgnoredWithOneWarningIfTheDensityIsInvalid)
 
 TEST_F(MediumTest, IsIndependentOfThreadCountAndExtent)
 {
+  this->Caster->IndirectLightOn();
   this->Caster->SetNumberOfThreads(1);
   const std::vector<float> one = this->Render();
   this->Caster->SetNumberOfThreads(3);

@@ -28,37 +28,56 @@ LightShafts::LightShafts(const Shading& shading, const SpectralMedium& medium, M
   }
 }
 
+LightShafts::Segment::Segment(const SpectralMedium& medium, const Ray& ray, double from, double to)
+  : Origin(ray.Origin)
+{
+  const double length = glm::length(glm::dvec3(ray.Direction));
+  this->Direction = glm::dvec3(ray.Direction) / length;
+  this->Near = from * length;
+  this->Far = to * length;
+  const std::array<Medium, 3>& channels = medium.Channels;
+  this->IsEmpty = !channels[0].Clip(this->Origin, this->Direction, this->Near, this->Far);
+  if (!this->IsEmpty)
+  {
+    const double column = channels[0].Density.Column(
+      this->Origin + this->Near * this->Direction, this->Direction, this->Far - this->Near);
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Transmittance[i] = static_cast<float>(Attenuate(channels[i].Extinction, column));
+    }
+  }
+}
+
+glm::vec3 LightShafts::ComputeTransmittance(const Ray& ray, double from, double to) const
+{
+  return Segment(this->ScatteringMedium, ray, from, to).Transmittance;
+}
+
 LightShafts::InScattering LightShafts::Along(
   const Ray& ray, double from, double to, float weight, long long& shadowRays) const
 {
   InScattering result;
-  const glm::dvec3 origin(ray.Origin);
-  const double length = glm::length(glm::dvec3(ray.Direction));
-  const glm::dvec3 direction = glm::dvec3(ray.Direction) / length;
-  double near = from * length;
-  double far = to * length;
-  const std::array<Medium, 3>& channels = this->ScatteringMedium.Channels;
-  if (!channels[0].Clip(origin, direction, near, far))
+  const Segment segment(this->ScatteringMedium, ray, from, to);
+  if (segment.IsEmpty)
   {
     return result;
   }
-  const double column =
-    channels[0].Density.Column(origin + near * direction, direction, far - near);
-  for (int i = 0; i < 3; ++i)
-  {
-    result.Transmittance[i] = static_cast<float>(Attenuate(channels[i].Extinction, column));
-  }
+  const glm::dvec3& origin = segment.Origin;
+  const glm::dvec3& direction = segment.Direction;
+  result.Transmittance = segment.Transmittance;
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
   {
     const Light& light = this->Lights[i];
-    const SpectralDistribution profile(this->ScatteringMedium, light, origin, direction, near, far);
+    const SpectralDistribution profile(
+      this->ScatteringMedium, light, origin, direction, segment.Near, segment.Far);
     const double importance =
       weight * profile.GetBrightness() * profile.GetScatteredSum() / this->Quality.Tolerance;
     if (importance > 0.0)
     {
       RayMarch march{ profile, light, origin, direction, importance, {}, {}, {}, 0.0,
         glm::dvec3(0.0), 0.0, 0 };
-      this->MarchIntervals(march, this->Shadows[i].Along(origin, direction, near, far));
+      this->MarchIntervals(
+        march, this->Shadows[i].Along(origin, direction, segment.Near, segment.Far));
       result.Light += profile.ComputeLight(march.Lit);
       result.Error +=
         static_cast<float>(profile.GetBrightness() * profile.GetScatteredSum() * march.LitError);

@@ -45,6 +45,9 @@ public:
   InScattering Along(
     const Ray& ray, double from, double to, float weight, long long& shadowRays) const;
 
+  /// Returns the transmittance of the segment [from, to] of `ray`; `to` may be infinite.
+  glm::vec3 ComputeTransmittance(const Ray& ray, double from, double to) const;
+
   /// Returns true if no light of the scene casts light shafts.
   bool IsEmpty() const { return this->Lights.empty(); }
 
@@ -52,6 +55,19 @@ public:
 
 private:
   using Point = SpectralDistribution::Point;
+
+  /// Part of a ray in the medium, between two distances along a unit direction.
+  struct Segment
+  {
+    glm::dvec3 Origin;
+    glm::dvec3 Direction;
+    double Near;
+    double Far;
+    glm::vec3 Transmittance{ 1.f };
+    bool IsEmpty;
+
+    Segment(const SpectralMedium& medium, const Ray& ray, double from, double to);
+  };
 
   /// Point of a march, and the visibility of the light there.
   struct Step
