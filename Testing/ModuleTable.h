@@ -156,7 +156,7 @@ inline const std::vector<Row> Table = {
 
   { "Rendering/Irradiance/Traced",
     { "Filters/Scene", "Filters/Scene/Import", "Filters/Scene/Execution",
-      "Filters/RayTracing/Embree", "Filters/RayTracing/Shading", "Filters/Irradiance",
+      "Filters/RayTracing/Embree", "Filters/RayTracing/Shading", "Filters/RayCasting/Light",
       "Rendering/ScreenSpace/Frame" },
     { "OpenGL", "GLM" } },
   { "Rendering/Irradiance/Splats",

@@ -86,6 +86,9 @@ void MeasureMemory(OcclusionBenchmark& benchmark);
 /// Whether the occlusion depends on the number of ranks that render the scene.
 void MeasureRanks(OcclusionBenchmark& benchmark);
 
+/// Time until a static view has settled, in small and ordinary windows.
+void MeasureSettling(OcclusionBenchmark& benchmark);
+
 /// Noise of static and moving images relative to the images to which they converge.
 void MeasureNoise(OcclusionBenchmark& benchmark);
 

@@ -15,9 +15,9 @@ int main(int argc, char** argv)
   Program program;
   program.Name = "ambient-occlusion";
   program.Title = "Ambient occlusion in OpenGL images: measurements and targets";
-  program.Usage =
-    "--meshes FOLDER --output FOLDER\n"
-    "         [--only accuracy|memory|cost|noise|ranks|traced] [--scene NAME] [--diagnose]";
+  program.Usage = "--meshes FOLDER --output FOLDER\n"
+                  "         [--only accuracy|memory|cost|noise|ranks|settling|traced] [--scene "
+                  "NAME] [--diagnose]";
   program.Values = { { "--meshes", &benchmark.Meshes, true },
     { "--output", &benchmark.Output, true }, { "--scene", &benchmark.Scene, false } };
   program.Switches = { { "--diagnose", &benchmark.Diagnose } };
@@ -27,6 +27,7 @@ int main(int argc, char** argv)
     { "cost", [&] { MeasureCost(benchmark); } },
     { "noise", [&] { MeasureNoise(benchmark); } },
     { "ranks", [&] { MeasureRanks(benchmark); } },
+    { "settling", [&] { MeasureSettling(benchmark); } },
     { "traced", [&] { MeasureTraced(benchmark); } },
   };
   const int status = program.Run(argc, argv, benchmark.Results, benchmark.Output, [&] {

@@ -6,7 +6,7 @@
 #include "Frame/EyeDepth.h"
 #include "Import/SceneModificationTime.h"
 #include "Scene.h"
-#include "Traced/InterpolatedOcclusion.h"
+#include "Traced/JoinedOcclusion.h"
 #include "Traced/OccluderGeometry.h"
 #include "Traced/TracedOcclusion.h"
 
@@ -16,6 +16,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <map>
 
@@ -77,11 +78,11 @@ std::vector<penumbra::Rectangle> ConvertToLattice(
   return parts;
 }
 
-/// Number of independent rays per pixel whose standard error is `tolerance` if half of them are
-/// blocked.
-int ComputeEquivalentRays(double tolerance)
+/// Number of independent rays per pixel whose standard error is `error` if half of them are blocked.
+int ComputeEquivalentRays(double error)
 {
-  return std::max(static_cast<int>(.25 / (tolerance * tolerance)), 1);
+  constexpr int Maximum = 1 << 20;
+  return static_cast<int>(std::clamp(.25 / (error * error), 1.0, static_cast<double>(Maximum)));
 }
 
 /// Side of the blocks of pixels of which one is traced per frame while the view moves. The phases
@@ -100,17 +101,79 @@ penumbra::InterleavedPixels PhaseLattice(int phase)
   return { InterleaveStep, PhaseColumn[phase], PhaseRow[phase] };
 }
 
-/// Cached geometry and surface points of one renderer.
-struct RendererState
+/// Surface points of a view, and its occlusion while it is refined.
+struct ViewState
 {
-  penumbra::OccluderGeometry Geometry;
-  long long Version = 0;
+  long long Version = 0;               ///< of the depths
   int FramePhase = 0;                  ///< phase of the next frame in motion
   penumbra::InterleavedPixels Lattice; ///< lattice of Points
   std::vector<penumbra::SurfacePoint> Points;
+
+  std::unique_ptr<penumbra::JoinedOcclusion> Joined;
+  double Radius = 0.0;      ///< of the request for Joined
+  double Tolerance = 0.0;   ///< of the request for Joined
+  bool HasNewImage = false; ///< Joined has an image that was not returned
+
+  void UpdatePoints(const vtkPenumbraOcclusionEstimator::Request& request,
+    const penumbra::RayScene& rays, const penumbra::InterleavedPixels& lattice)
+  {
+    if (this->Version != request.Depth->GetVersion() || !(this->Lattice == lattice))
+    {
+      this->Joined.reset();
+      this->Points = penumbra::ReconstructSurface(ReadTexture(request.Depth->GetCurrent()),
+        request.Image->GetSamples() == 1, request.Depth->GetView(), rays, lattice);
+      this->Lattice = lattice;
+      this->Version = request.Depth->GetVersion();
+    }
+  }
+
+  void UpdateJoined(
+    const vtkPenumbraOcclusionEstimator::Request& request, const penumbra::RayScene& rays)
+  {
+    if (!this->Joined || this->Radius != request.Radius || this->Tolerance != request.Tolerance)
+    {
+      this->Radius = request.Radius;
+      this->Tolerance = request.Tolerance;
+      this->Joined =
+        std::make_unique<penumbra::JoinedOcclusion>(this->Points, request.Depth->GetView().Width,
+          rays, static_cast<float>(request.Radius * rays.GetScene().Scale), request.Tolerance);
+      this->HasNewImage = this->Joined->IsComplete();
+    }
+  }
+
+  /// Continues the occlusion until there is an image that was not returned. Returns the number of rays.
+  long long Refine(double seconds)
+  {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    penumbra::WorkLimit limit([&](double) {
+      return std::chrono::duration<double>(Clock::now() - start).count() >= seconds;
+    });
+    const long long before = this->Joined->GetNumberOfRays();
+    this->HasNewImage = this->HasNewImage || this->Joined->Continue(&limit);
+    return this->Joined->GetNumberOfRays() - before;
+  }
 };
 
 }
+
+/// Cached geometry and views of one renderer, several in stereo.
+struct vtkPenumbraTracedEstimator::RendererState
+{
+  penumbra::OccluderGeometry Geometry;
+  std::map<const penumbra::EyeDepth*, ViewState> Views;
+
+  /// Returns true if the BVH was rebuilt.
+  bool UpdateGeometry(vtkRenderer* renderer, double radius)
+  {
+    const bool rebuilt = this->Geometry.Update(renderer, radius);
+    if (rebuilt)
+    {
+      this->Views.clear();
+    }
+    return rebuilt;
+  }
+};
 
 struct vtkPenumbraTracedEstimator::Internals
 {
@@ -135,41 +198,17 @@ void vtkPenumbraTracedEstimator::Register()
 int vtkPenumbraTracedEstimator::Estimate(const Request& request, vtkTextureObject* target)
 try
 {
-  RendererState& state = this->Implementation->Renderers[request.Renderer];
-  const bool rebuilt = state.Geometry.Update(request.Renderer, request.Radius);
-  this->NumberOfTrees += rebuilt;
-  const std::string& missing = state.Geometry.GetMissing();
-  if (!missing.empty() && missing != this->Implementation->Warned)
-  {
-    this->Implementation->Warned = missing;
-    vtkWarningMacro("Rays do not hit "
-      << missing << ". It casts no ambient occlusion; use a kernel that reads the depth buffer.");
-  }
+  RendererState& state = this->UpdateRenderer(request);
+  ViewState& viewState = state.Views[request.Depth];
   const penumbra::ScreenTransform& view = request.Depth->GetView();
   const bool sparse = request.Moving && this->SparseInMotion && view.Width >= InterleaveStep &&
     view.Height >= InterleaveStep;
   const penumbra::InterleavedPixels lattice =
-    sparse ? PhaseLattice(state.FramePhase) : penumbra::InterleavedPixels();
-  state.FramePhase = sparse ? (state.FramePhase + 1) % NumberOfPhases : 0;
-  if (rebuilt || state.Version != request.Depth->GetVersion() || !(state.Lattice == lattice))
-  {
-    state.Points = penumbra::ReconstructSurface(ReadTexture(request.Depth->GetCurrent()),
-      request.Image->GetSamples() == 1, view, state.Geometry.GetRays(), lattice);
-    state.Lattice = lattice;
-    state.Version = request.Depth->GetVersion();
-  }
+    sparse ? PhaseLattice(viewState.FramePhase) : penumbra::InterleavedPixels();
+  viewState.FramePhase = sparse ? (viewState.FramePhase + 1) % NumberOfPhases : 0;
+  viewState.UpdatePoints(request, state.Geometry.GetRays(), lattice);
   std::vector<float>& means = this->Implementation->Means;
-  means.assign(state.Points.size(), 0.f);
-  this->Final = request.Tolerance > 0.0;
-  if (this->Final)
-  {
-    state.Geometry.SetCamera(penumbra::CameraFromView(view, state.Geometry.GetScene()));
-    this->NumberOfRays += penumbra::InterpolateOcclusion(
-      state.Points, state.Geometry.GetRays(), request.Radius, request.Tolerance, means);
-    const bool uploaded =
-      target->Create2DFromRaw(view.Width, view.Height, 1, VTK_FLOAT, means.data());
-    return uploaded ? ComputeEquivalentRays(request.Tolerance) : 0;
-  }
+  means.assign(viewState.Points.size(), 0.f);
   penumbra::TracedSamples samples;
   samples.First =
     sparse ? MotionSequenceStart + request.FirstSample / NumberOfPhases : request.FirstSample;
@@ -177,7 +216,7 @@ try
   samples.Radius = static_cast<float>(request.Radius * state.Geometry.GetScene().Scale);
   samples.Lattice = lattice;
   const std::vector<penumbra::Rectangle> wholeImage = { { 0, 0, view.Width, view.Height } };
-  this->NumberOfRays += penumbra::TraceOcclusion(state.Points,
+  this->NumberOfRays += penumbra::TraceOcclusion(viewState.Points,
     lattice.CountIn(view.Width, lattice.Column), state.Geometry.GetRays(), samples,
     ConvertToLattice(request.Parts ? *request.Parts : wholeImage, lattice), means);
   if (sparse)
@@ -194,12 +233,82 @@ catch (const std::exception& error)
   return 0;
 }
 
+vtkPenumbraOcclusionEstimator::Refinement vtkPenumbraTracedEstimator::Refine(
+  const Request& request, vtkTextureObject* target)
+try
+{
+  RendererState& state = this->UpdateRenderer(request);
+  ViewState& viewState = state.Views[request.Depth];
+  viewState.UpdatePoints(request, state.Geometry.GetRays(), {});
+  viewState.UpdateJoined(request, state.Geometry.GetRays());
+  this->NumberOfRays += viewState.Refine(request.Seconds);
+  Refinement result;
+  if (viewState.HasNewImage)
+  {
+    penumbra::JoinedOcclusion& joined = *viewState.Joined;
+    const penumbra::ScreenTransform& view = request.Depth->GetView();
+    joined.CopyTo(this->Implementation->Means);
+    result.HasFailed = !target->Create2DFromRaw(
+      view.Width, view.Height, 1, VTK_FLOAT, this->Implementation->Means.data());
+    result.Samples = ComputeEquivalentRays(joined.GetMeanError());
+    result.Error = joined.GetLargestError();
+    result.IsFinal = joined.IsComplete();
+    viewState.HasNewImage = false;
+  }
+  if (result.IsFinal)
+  {
+    viewState.Joined.reset();
+  }
+  return result;
+}
+catch (const std::exception& error)
+{
+  vtkErrorMacro("Ambient occlusion cannot be ray traced: " << error.what());
+  Refinement result;
+  result.HasFailed = true;
+  return result;
+}
+
+bool vtkPenumbraTracedEstimator::RefineBetweenFrames(vtkRenderer* renderer, double seconds)
+{
+  bool hasNewImage = false;
+  std::vector<ViewState*> unfinished;
+  for (auto& [depth, view] : this->Implementation->Renderers[renderer].Views)
+  {
+    if (view.Joined)
+    {
+      unfinished.push_back(&view);
+    }
+  }
+  for (ViewState* view : unfinished)
+  {
+    this->NumberOfRays += view->Refine(seconds / static_cast<double>(unfinished.size()));
+    hasNewImage = hasNewImage || view->HasNewImage;
+  }
+  return hasNewImage || unfinished.empty();
+}
+
+vtkPenumbraTracedEstimator::RendererState& vtkPenumbraTracedEstimator::UpdateRenderer(
+  const Request& request)
+{
+  RendererState& state = this->Implementation->Renderers[request.Renderer];
+  this->NumberOfTrees += state.UpdateGeometry(request.Renderer, request.Radius);
+  const std::string& missing = state.Geometry.GetMissing();
+  if (!missing.empty() && missing != this->Implementation->Warned)
+  {
+    this->Implementation->Warned = missing;
+    vtkWarningMacro("Rays do not hit "
+      << missing << ". It casts no ambient occlusion; use a kernel that reads the depth buffer.");
+  }
+  return state;
+}
+
 bool vtkPenumbraTracedEstimator::CanEstimate(vtkRenderer* renderer)
 try
 {
-  penumbra::OccluderGeometry& geometry = this->Implementation->Renderers[renderer].Geometry;
-  this->NumberOfTrees += geometry.Update(renderer, VTK_DOUBLE_MAX);
-  return geometry.HasAllOccluders();
+  RendererState& state = this->Implementation->Renderers[renderer];
+  this->NumberOfTrees += state.UpdateGeometry(renderer, VTK_DOUBLE_MAX);
+  return state.Geometry.HasAllOccluders();
 }
 catch (const std::exception&)
 {

@@ -6,9 +6,9 @@
  *
  * Each pixel traces one or a few rays per frame against the meshes of the renderer, within the
  * radius. The depth buffer only defines the ray origins, so the mean converges to the occlusion of
- * [TSSAO eq. 1] with D = 1 up to the radius. If the request has a tolerance, records of the
- * irradiance cache are interpolated instead. The meshes must be in this process. Their BVH is
- * rebuilt whenever they change.
+ * [TSSAO eq. 1] with D = 1 up to the radius. In static views, neighboring pixels are joined by
+ * regression until the tolerance is met. The meshes must be in this process. Their BVH is rebuilt
+ * whenever they change.
  */
 #ifndef vtkPenumbraTracedEstimator_h
 #define vtkPenumbraTracedEstimator_h
@@ -59,12 +59,9 @@ public:
   vtkMTimeType GetSceneMTime(vtkRenderer* renderer) override;
 
   bool NeedsMargin() override { return false; }
-
-  /**
-   * Returns whether the last estimate was interpolated from irradiance records, which needs no
-   * further frames.
-   */
-  bool IsFinal() override { return this->Final; }
+  bool CanRefine() override { return true; }
+  Refinement Refine(const Request& request, vtkTextureObject* target) override;
+  bool RefineBetweenFrames(vtkRenderer* renderer, double seconds) override;
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -80,12 +77,15 @@ private:
   vtkPenumbraTracedEstimator(const vtkPenumbraTracedEstimator&) = delete;
   void operator=(const vtkPenumbraTracedEstimator&) = delete;
 
+  struct RendererState;
   struct Internals;
+  /** Updates the geometry and warns if rays do not hit all of it. */
+  RendererState& UpdateRenderer(const Request& request);
+
   std::unique_ptr<Internals> Implementation;
 
   int SamplesPerRay = 32;
   bool SparseInMotion = true;
-  bool Final = false;
   vtkTypeInt64 NumberOfRays = 0;
   vtkTypeInt64 NumberOfTrees = 0;
 };

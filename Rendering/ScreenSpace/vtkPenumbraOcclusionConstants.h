@@ -19,6 +19,10 @@ struct OcclusionConstants
   /// The same in motion, at pixels above AdaptiveConvergence. k2 in [TSSAO].
   int Samples = 8;
 
+  /// Number of steps in a frame of a static view: of FirstSamples samples, or of the rays of 16x16 pixels.
+  /// 0: as many as take FrameTime.
+  int StepsPerFrame = 0;
+
   /// Number of frames in which a pixel takes Samples once while only the camera moves, if the kernel
   /// reads depth only and the pixel is above AdaptiveConvergence and SpatialConvergence. Blocks of 4x4
   /// pixels take turns. Above 1, frames are faster and the image is steadier, but it follows the view

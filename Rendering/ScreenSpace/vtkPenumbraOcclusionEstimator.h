@@ -66,9 +66,11 @@ public:
     ///@}
     bool Moving = false;        ///< one of a sequence of similar frames
     bool RotatePerPixel = true; ///< samples differ from pixel to pixel
-    /// Accepted RMSE if this single estimate is final: the estimator may then interpolate between
-    /// few accurate points. 0: more samples follow.
-    double Tolerance = 0.0;
+    ///@{
+    /// Only for Refine(): accepted RMSE of any 16x16 pixels, and the time that it may take.
+    double Tolerance = 0.01;
+    double Seconds = 0.1;
+    ///@}
     /// Rectangles in which samples are requested; null: the whole image.
     const std::vector<penumbra::Rectangle>* Parts = nullptr;
   };
@@ -105,10 +107,27 @@ public:
   /** Estimated error that remains with any number of samples. */
   virtual double GetBias() { return 0.0; }
 
+  /** State of the image of a static view that Refine() computes. */
+  struct Refinement
+  {
+    bool HasFailed = false;
+    bool IsFinal = false; ///< the tolerance is met, or more samples would not help
+    int Samples = 0;      ///< number of independent samples with the same RMSE; 0: no new image
+    double Error = 0.0;   ///< estimated RMSE of the worst 16x16 pixels of the new image
+  };
+
+  ///@{
   /**
-   * Returns whether the last estimate met Request::Tolerance, so that no more samples are needed.
+   * Alternative to Estimate() for static views, if CanRefine() returns true. Refine() continues an
+   * image of the current depths for about Request::Seconds, and fills `target` when a better image
+   * is available. RefineBetweenFrames() continues the images of the renderer without OpenGL, and
+   * returns true if Refine() then has a new one, or if a frame is needed. The images depend on neither
+   * the calls nor their times.
    */
-  virtual bool IsFinal() { return false; }
+  virtual bool CanRefine() { return false; }
+  virtual Refinement Refine(const Request&, vtkTextureObject*) { return {}; }
+  virtual bool RefineBetweenFrames(vtkRenderer*, double) { return true; }
+  ///@}
 
   /**
    * Returns whether a margin around the image, with occluders just outside of it, improves the

@@ -97,11 +97,20 @@ struct vtkPenumbraTemporalSSAOPass::Internals
   vtkSmartPointer<vtkPenumbraOcclusionEstimator> Estimator;
   vtkSmartPointer<vtkPenumbraOcclusionEstimator> NamedEstimator; ///< registered by another module
   std::string EstimatorName;
+  vtkSmartPointer<vtkPenumbraOcclusionEstimator> Used; ///< in the last frame
   vtkNew<vtkPenumbraKernelEstimator> Kernels;
   penumbra::OcclusionConstants Constants;
   vtkNew<vtkFieldData> Statistics;
   std::string ActiveKernel;
   penumbra::StaticViewRefiner Refiner;
+
+  explicit Internals(vtkPenumbraTemporalSSAOPass* pass)
+    : Refiner([this, pass](vtkRenderer* renderer) {
+        const double seconds = this->Constants.StepsPerFrame > 0 ? 0.0 : pass->FrameTime;
+        return !this->Used || this->Used->RefineBetweenFrames(renderer, seconds);
+      })
+  {
+  }
 
   /// Returns whether a renderer has converged; in stereo, both of its eyes.
   bool IsConverged(vtkRenderer* renderer, int eye)
@@ -125,7 +134,7 @@ std::string vtkPenumbraTemporalSSAOPass::Internals::DescribeEstimator() const
 }
 
 vtkPenumbraTemporalSSAOPass::vtkPenumbraTemporalSSAOPass()
-  : Implementation(std::make_unique<Internals>())
+  : Implementation(std::make_unique<Internals>(this))
 {
 }
 
@@ -234,6 +243,8 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   }
   settings.Darkness = { this->Strength, this->LightAwareness };
   settings.Tolerance = this->Tolerance;
+  settings.Seconds =
+    (penumbra::IsInteractive(window) ? penumbra::InteractiveTimeFraction : 1.0) * this->FrameTime;
   const penumbra::OcclusionConstants& constants = internals.Constants;
   settings.Constants = constants;
   settings.InOneRender = this->ConvergeInOneRender == ALWAYS ||
@@ -249,7 +260,6 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   settings.PropsChanged = !HaveSameProps(props, rendererState.Props);
   vtkPenumbraOcclusionEstimator* estimator =
     this->ChooseEstimator(renderer, settings.InOneRender || !settings.SceneChanged);
-  settings.Interpolate = this->KernelName == "automatic" && !internals.Estimator;
   settings.Restart =
     this->Radius != rendererState.Radius || this->RadiusUnit != rendererState.RadiusUnit;
   rendererState.Radius = this->Radius;
@@ -270,6 +280,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
           needed, penumbra::MaximumMargin * side, settings.InOneRender ? 0 : rendererState.Margin);
     settings.Margin[0] = settings.Margin[1] = rendererState.Margin;
   }
+  internals.Used = estimator;
   internals.Last = &rendererState.View;
   if (!internals.Last->Render(state, this->DelegatePass, estimator, settings))
   {
@@ -285,7 +296,9 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   this->NumberOfRenderedProps = internals.Last->GetNumberOfRenderedProps();
   const bool unfinished =
     this->RefineStaticView && !settings.InOneRender && !internals.IsConverged(renderer, eye);
-  internals.Refiner.RecordFrame(renderer, unfinished, internals.Last->HasChanged());
+  // Another estimator may need another margin, which is no change of the scene.
+  const bool changed = internals.Last->HasChanged() && !settings.EstimatorChanged;
+  internals.Refiner.RecordFrame(renderer, unfinished, changed);
   return true;
 }
 
@@ -337,6 +350,7 @@ void vtkPenumbraTemporalSSAOPass::ReleaseGraphicsResources(vtkWindow* window)
   }
   internals.Renderers.clear();
   internals.Last = nullptr;
+  internals.Used = nullptr;
   internals.Kernels->ReleaseGraphicsResources(window);
   for (vtkPenumbraOcclusionEstimator* estimator :
     { internals.Estimator.Get(), internals.NamedEstimator.Get() })
@@ -421,5 +435,6 @@ void vtkPenumbraTemporalSSAOPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KernelName: " << this->KernelName << "\n";
   os << indent << "Estimator: " << this->GetEstimator() << "\n";
   os << indent << "ConvergeInOneRender: " << this->ConvergeInOneRender << "\n";
+  os << indent << "FrameTime: " << this->FrameTime << "\n";
   os << indent << "RefineStaticView: " << this->RefineStaticView << "\n";
 }

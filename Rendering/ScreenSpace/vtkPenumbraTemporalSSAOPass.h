@@ -109,8 +109,7 @@ public:
    * Name of a kernel of vtkPenumbraKernels, name of a registered vtkPenumbraOcclusionEstimator
    * ("traced": vtkPenumbraTracedEstimator), or "automatic". Automatic selects ray tracing if it is
    * registered, the scene is available and static, and Tolerance is below the bias of the kernel;
-   * else the kernel "march". If a single Render() converges, traced occlusion is interpolated.
-   * Default: "automatic".
+   * else the kernel "march". Default: "automatic".
    */
   virtual void SetKernelName(const char* name);
   const char* GetKernelName() const { return this->KernelName.c_str(); }
@@ -145,6 +144,16 @@ public:
    */
   vtkSetClampMacro(ConvergeInOneRender, int, OFFSCREEN, ALWAYS);
   vtkGetMacro(ConvergeInOneRender, int);
+  ///@}
+
+  ///@{
+  /**
+   * Time in seconds that the samples of a frame of a static view take, as long as it has not converged;
+   * a fifth of it while the window's DesiredUpdateRate is 1 per second or more. A frame takes at least
+   * one step of samples. Converged images do not depend on it. Range: [0.001, 10]. Default: 0.1.
+   */
+  vtkPenumbraSetClampedNumberMacro(FrameTime, 0.001, 10.0);
+  vtkGetMacro(FrameTime, double);
   ///@}
 
   ///@{
@@ -209,6 +218,7 @@ private:
   double LightAwareness = 0.0;
   std::string KernelName = "automatic";
   int ConvergeInOneRender = OFFSCREEN;
+  double FrameTime = 0.1;
   bool RefineStaticView = true;
 };
 

@@ -3,6 +3,7 @@
 #include "LightField.h"
 
 #include "LightConstants.h"
+#include "RayGrowth.h"
 #include "Sampling/CameraRayTracer.h"
 #include "Scene.h"
 #include "SiteJoining.h"
@@ -160,80 +161,12 @@ private:
     }
   }
 
-  // Numbers of rays in proportion to the errors of blocks of pixels would lead to the smallest error of the
-  // tile (Neyman allocation) if neighbors did not share their rays. They grow by the mean of this and of
-  // the same factor in the whole tile.
   bool IncreaseTile(glm::ivec2 first, float limit)
   {
     const Camera& camera = this->Tracer.GetScene().ViewCamera;
     const glm::ivec2 end = glm::min(first + LightTileSide, glm::ivec2(camera.Width, camera.Height));
-    float sum = 0.f;
-    int count = 0;
-    SumErrors(first, end, sum, count);
-    const float accepted = static_cast<float>(count) * limit;
-    if (sum <= accepted)
-    {
-      return false;
-    }
-    bool isIncreased = false;
-    for (int i = 0; i < RayBlocks * RayBlocks; ++i)
-    {
-      const glm::ivec2 low = first + RayBlockSide * glm::ivec2(i % RayBlocks, i / RayBlocks);
-      const glm::ivec2 high = glm::min(low + RayBlockSide, end);
-      float own = 0.f;
-      int pixels = 0;
-      SumErrors(low, high, own, pixels);
-      const float share = own * static_cast<float>(count) / (sum * static_cast<float>(pixels));
-      isIncreased |= pixels > 0 &&
-        this->IncreaseBlock(low, high, 0.5f * (1.f + std::sqrt(share)) * sum / accepted);
-    }
-    return isIncreased;
-  }
-
-  /// Adds the squared errors of the pixels [low, high), and their number.
-  void SumErrors(glm::ivec2 low, glm::ivec2 high, float& sum, int& count) const
-  {
-    for (int y = low.y; y < high.y; ++y)
-    {
-      for (int x = low.x; x < high.x; ++x, ++count)
-      {
-        sum += Square(this->Field.At(x, y).Error);
-      }
-    }
-  }
-
-  bool IncreaseBlock(glm::ivec2 low, glm::ivec2 high, float factor)
-  {
-    if (!(factor > 1.f))
-    {
-      return false;
-    }
-    bool isIncreased = false;
-    for (int y = low.y; y < high.y; ++y)
-    {
-      for (int x = low.x; x < high.x; ++x)
-      {
-        LightPixel& pixel = this->Grid.Pixels[this->Grid.GetCell(x, y)];
-        if (pixel.Sites > 0 && pixel.Target < MaximumSiteRays / Halves)
-        {
-          pixel.Target = static_cast<std::uint16_t>(Grow(pixel.Target, factor));
-          isIncreased = true;
-        }
-      }
-    }
-    return isIncreased;
-  }
-
-  /// Multiplies a number of rays, 2^k or 1.5 x 2^k, by `factor` or a little more, but at most by
-  /// LargestRayGrowth.
-  static int Grow(int rays, float factor)
-  {
-    const float wanted = static_cast<float>(rays) * std::min(factor, LargestRayGrowth);
-    while (static_cast<float>(rays) < wanted && rays < MaximumSiteRays / Halves)
-    {
-      rays += (rays & (rays - 1)) == 0 ? rays / 2 : rays / 3;
-    }
-    return rays;
+    return penumbra::IncreaseTile(this->Grid, first, end, limit,
+      [&](int x, int y) { return Square(this->Field.At(x, y).Error); });
   }
 
   glm::ivec2 GetFirst(int tile) const
@@ -389,14 +322,7 @@ bool JoinedLight<N>::AddRounds(
 template <int N>
 typename JoinedLight<N>::Value JoinedLight<N>::Evaluate(const LightSite<N>& site) const
 {
-  const SitePatch<N>& patch = this->Grid.Patches[site.Patch];
-  const LightFeatures at(site.Position, site.Normal);
-  const float rays = static_cast<float>(site.Rays[0]) + static_cast<float>(site.Rays[1]);
-  Value value = patch.Value + patch.AloneWeight * (site.Sums[0] + site.Sums[1]) / rays;
-  for (int k = 0; k < LightFeatures::Count; ++k)
-  {
-    value += patch.Slopes[k] * (at.At[k] - patch.Mean.At[k]);
-  }
+  Value value = EvaluateSite(this->Grid, site);
   value = glm::max(value, Value(0.f));
   if constexpr (Terms::HasOcclusion)
   {

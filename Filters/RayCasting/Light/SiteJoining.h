@@ -7,6 +7,7 @@
 #define penumbra_SiteJoining_h
 
 #include "LightSite.h"
+#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro
 
 namespace penumbra
 {
@@ -16,7 +17,23 @@ int GetJoiningReach();
 
 /// Computes the joined estimates of all sites.
 template <int N>
-void JoinSites(SiteGrid<N>& grid);
+VTKPENUMBRAFILTERSRAYCASTING_EXPORT void JoinSites(SiteGrid<N>& grid);
+
+/// Returns the joined estimate of a site, which may exceed the range of values.
+template <int N>
+typename LightTerms<N>::Value EvaluateSite(const SiteGrid<N>& grid, const LightSite<N>& site)
+{
+  const SitePatch<N>& patch = grid.Patches[site.Patch];
+  const LightFeatures at(site.Position, site.Normal);
+  const float rays = static_cast<float>(site.Rays[0]) + static_cast<float>(site.Rays[1]);
+  typename LightTerms<N>::Value value =
+    patch.Value + patch.AloneWeight * (site.Sums[0] + site.Sums[1]) / rays;
+  for (int k = 0; k < LightFeatures::Count; ++k)
+  {
+    value += patch.Slopes[k] * (at.At[k] - patch.Mean.At[k]);
+  }
+  return value;
+}
 
 } // namespace penumbra
 #endif

@@ -127,6 +127,7 @@ TEST(TracedEstimator, ConvergesToBruteForce)
   AddSpheres(frames);
   AddTracedPass(frames, 1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
   GetEstimator(frames)->SetSamplesPerRay(32);
+  frames.Pass->GetConstants().StepsPerFrame = 1000;
   frames.Window->Render();
   const double first = Rmse(frames.Array("AmbientOcclusion"), reference);
   EXPECT_LT(first, .15);
@@ -416,7 +417,8 @@ TEST(TracedEstimator, IsIndependentOfAnnotations)
     return scene.At("AmbientOcclusion", { 0, -.6, 0 });
   };
   EXPECT_GT(render(false), .05);
-  EXPECT_EQ(render(true), render(false));
+  // The bounds determine the clipping range, and it the precision of depths.
+  EXPECT_NEAR(render(true), render(false), 1e-3);
 }
 
 TEST(TracedEstimator, MatchesTheClosedFormInParallelProjection)

@@ -28,9 +28,6 @@ public:
   /// Throws the exceptions of RayScene.
   bool Update(vtkRenderer* renderer, double radius);
 
-  /// Sets the camera of the scene; the BVH does not change.
-  void SetCamera(const Camera& camera) { this->Meshes->ViewCamera = camera; }
-
   const RayScene& GetRays() const { return *this->Rays; }
   const Scene& GetScene() const { return *this->Meshes; }
 

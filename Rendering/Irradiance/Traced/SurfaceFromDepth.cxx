@@ -86,6 +86,7 @@ public:
       if (ray.Near <= ray.Far && this->AtCenters && this->IsPlanar(i, row))
       {
         *points = this->ReconstructFromDepths(ray, i, row);
+        points->PixelSize = this->PixelWidth(this->DepthAt(i, row)) * this->UnitLength;
       }
       else if (ray.Near <= ray.Far)
       {
@@ -120,6 +121,7 @@ private:
       this->SkipTranslucent(rays[k], hits[k]);
       *targets[k] = hits[k].IsHit() ? this->ReconstructFromHit(rays[k], hits[k])
                                     : this->ReconstructFromDepths(rays[k], pixels[k], row);
+      targets[k]->PixelSize = this->PixelWidth(this->DepthAt(pixels[k], row)) * this->UnitLength;
     }
   }
 

@@ -22,6 +22,7 @@ struct SurfacePoint
 {
   glm::vec3 Position{ 0.f }; ///< offset from the surface against self-intersection
   glm::vec3 Normal{ 0.f };   ///< unit vector toward the camera; zero: background
+  float PixelSize = 0.f;     ///< side of a pixel at this depth
 };
 
 /// Lattice of the processed pixels of an image: every Step-th column and row.

@@ -7,6 +7,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
 
 namespace penumbra
 {
@@ -98,7 +99,7 @@ void StaticViewRefiner::Tick()
   {
     --this->TicksToWait;
   }
-  else if (!this->Rendering && !window->CheckInRenderStatus())
+  else if (!this->Rendering && !window->CheckInRenderStatus() && this->HasNewImage())
   {
     this->Unfinished.clear(); // Renderers that were removed render no more frames.
     this->Rendering = true;
@@ -109,6 +110,24 @@ void StaticViewRefiner::Tick()
       this->Stop();
     }
   }
+}
+
+/// Works on the images of all unfinished renderers of the window.
+bool StaticViewRefiner::HasNewImage() const
+{
+  vtkRendererCollection* renderers = this->Interactor->GetRenderWindow()->GetRenderers();
+  bool isNew = !this->Advance;
+  bool isKnown = false;
+  for (vtkRenderer* renderer : this->Unfinished)
+  {
+    // Renderers that were removed render no more frames.
+    if (this->Advance && renderers->IsItemPresent(renderer) != 0)
+    {
+      isKnown = true;
+      isNew = this->Advance(renderer) || isNew;
+    }
+  }
+  return isNew || !isKnown;
 }
 
 void StaticViewRefiner::Stop()

@@ -10,7 +10,9 @@
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
 #include "vtkWeakPointer.h"
 
+#include <functional>
 #include <set>
+#include <utility>
 
 class vtkObject;
 class vtkRenderWindow;
@@ -27,7 +29,12 @@ bool IsInteractive(vtkRenderWindow* window);
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT StaticViewRefiner
 {
 public:
-  StaticViewRefiner() = default;
+  /// `advance` works on the next frame of a renderer before it is requested, and returns true once it
+  /// would show something new. Empty: every frame does.
+  explicit StaticViewRefiner(std::function<bool(vtkRenderer*)> advance = nullptr)
+    : Advance(std::move(advance))
+  {
+  }
   ~StaticViewRefiner();
   StaticViewRefiner(const StaticViewRefiner&) = delete;
   void operator=(const StaticViewRefiner&) = delete;
@@ -44,6 +51,9 @@ private:
   void Start(vtkRenderWindowInteractor* interactor);
   void Tick();
 
+  bool HasNewImage() const;
+
+  std::function<bool(vtkRenderer*)> Advance;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   std::set<vtkRenderer*> Unfinished; ///< renderers whose last frame requested another one
   unsigned long ObserverTag = 0;

@@ -74,8 +74,8 @@ constexpr double TileOffsetWeight = 4.0;
 /// is not met.
 constexpr double StillSampleLimit = 8.0;
 
-/// Maximum number of samples per draw call: drivers reset the device if a draw call takes seconds.
-constexpr int MaximumSamplesPerStep = 128;
+/// Fraction of FrameTime for the samples of a frame during interaction.
+constexpr double InteractiveTimeFraction = 0.2;
 
 /// While actors move in front of a static camera, the number of frames between comparisons of
 /// depths.

@@ -35,11 +35,11 @@ void Convergence::ReactivateTiles()
   this->LargestError = VTK_DOUBLE_MAX;
 }
 
-void Convergence::MarkConverged(int samples, double error)
+void Convergence::SetError(int samples, double error, bool isDone)
 {
   *this = Convergence();
   this->Samples = samples;
-  this->HasErrors = true;
+  this->HasErrors = isDone;
   this->LargestError = error;
 }
 

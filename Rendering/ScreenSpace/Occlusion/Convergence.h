@@ -32,8 +32,8 @@ public:
   void Add(
     int samples, int width, double tolerance, const std::function<std::vector<float>()>& read);
 
-  /// Marks the whole image as converged with this error.
-  void MarkConverged(int samples, double error);
+  /// Sets the state of an image whose error is known: of the whole image, or of its worst tile.
+  void SetError(int samples, double error, bool isDone);
 
   /// Number of samples per pixel in active tiles.
   int GetSamples() const { return this->Samples; }

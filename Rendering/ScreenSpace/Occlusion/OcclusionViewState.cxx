@@ -17,6 +17,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 
 namespace penumbra
@@ -209,11 +210,29 @@ ConvergedFrame::CompositeInputs OcclusionViewState::GetCompositeInputs() const
 
 bool OcclusionViewState::Converge(EyeDepth::Change change)
 {
-  bool done = this->Estimate(change);
-  while (done && this->Settings.InOneRender && !this->MeetsTolerance() &&
-    !this->Window->CheckAbortStatus())
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const bool isStatic = this->Settings.InOneRender || change == EyeDepth::Change::None;
+  const bool refines = isStatic && this->Estimator->CanRefine();
+  int steps = 0;
+  const auto mayContinue = [&]() {
+    if (this->Settings.InOneRender)
+    {
+      return !this->Window->CheckAbortStatus();
+    }
+    if (this->Settings.Constants.StepsPerFrame > 0)
+    {
+      return ++steps < this->Settings.Constants.StepsPerFrame;
+    }
+    this->Window->WaitForCompletion();
+    return std::chrono::duration<double>(Clock::now() - start).count() < this->Settings.Seconds;
+  };
+  this->Refined = this->Refined && refines && change == EyeDepth::Change::None;
+  bool done = refines ? this->Refine() : this->Estimate(change);
+  while (done && isStatic && !this->MeetsTolerance() &&
+    (mayContinue() || (this->Settings.InOneRender && refines && !this->Refined)))
   {
-    done = this->Estimate(EyeDepth::Change::None);
+    done = refines ? this->Refine() : this->Estimate(EyeDepth::Change::None);
   }
   this->Converged = done && this->MeetsTolerance();
   return done && this->Filter();
@@ -223,6 +242,40 @@ void OcclusionViewState::LimitSamplesSinceReset()
 {
   this->SamplesSinceReset = std::min(
     this->SamplesSinceReset, static_cast<int>(this->Settings.Constants.InvalidationWeight));
+}
+
+vtkPenumbraOcclusionEstimator::Request OcclusionViewState::MakeRequest() const
+{
+  vtkPenumbraOcclusionEstimator::Request request;
+  request.Window = this->Window;
+  request.Renderer = this->Renderer;
+  request.Image = &this->Image;
+  request.Depth = &this->Depth;
+  request.Radius = this->Settings.Radius;
+  request.FirstSample = this->TotalSamples;
+  request.Tolerance = this->Settings.Tolerance;
+  request.Seconds = this->Settings.Constants.StepsPerFrame > 0 ? 0.0 : this->Settings.Seconds;
+  return request;
+}
+
+bool OcclusionViewState::Refine()
+{
+  const vtkPenumbraOcclusionEstimator::Refinement result =
+    this->Estimator->Refine(this->MakeRequest(), this->Estimates);
+  if (result.HasFailed)
+  {
+    return false;
+  }
+  if (result.Samples > 0)
+  {
+    this->Refined = this->History.Add(this->Window, this->Image, this->Depth,
+      EyeDepth::Change::Reset, this->Estimates, result.Samples, {}, this->InnerRegion);
+    this->NewSamples = this->DisocclusionSamples = result.Samples;
+    this->SamplesSinceReset = result.Samples;
+    this->TileConvergence.SetError(result.Samples, result.Error, result.IsFinal);
+    return this->Refined;
+  }
+  return true;
 }
 
 bool OcclusionViewState::Estimate(EyeDepth::Change change)
@@ -236,25 +289,15 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
     this->LimitSamplesSinceReset();
   }
   const double convergence = this->SamplesSinceReset / constants.MaximumWeight;
-  vtkPenumbraOcclusionEstimator::Request request;
-  request.Window = this->Window;
-  request.Renderer = this->Renderer;
-  request.Image = &this->Image;
-  request.Depth = &this->Depth;
-  request.Radius = settings.Radius;
-  request.FirstSample = this->TotalSamples;
+  vtkPenumbraOcclusionEstimator::Request request = this->MakeRequest();
   // In motion, a kernel takes FirstSamples only where history is short. Frames of a static view have
   // more samples, because the rest of a frame costs as much with few.
   const bool byPixel = change == EyeDepth::Change::Moved && this->HasShader();
   const bool many =
     !byPixel && (change != EyeDepth::Change::Moved || convergence < constants.AdaptiveConvergence);
-  // Intermediate images are not shown: take the samples until the next check in few large steps.
-  const int untilCheck = settings.InOneRender ? this->TileConvergence.GetSamplesUntilCheck() : 0;
-  request.Samples = std::max(
-    many ? constants.FirstSamples : constants.Samples, std::min(untilCheck, MaximumSamplesPerStep));
+  request.Samples = many ? constants.FirstSamples : constants.Samples;
   request.ShortHistorySamples =
     byPixel ? std::max(constants.FirstSamples, request.Samples) : request.Samples;
-  request.Tolerance = settings.InOneRender && settings.Interpolate ? settings.Tolerance : 0.0;
   request.Parts = refine && this->TileConvergence.HasTileErrors()
     ? &this->TileConvergence.GetActiveTiles()
     : &this->InnerRegion;
@@ -278,11 +321,7 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
   this->NewSamples += samples;
   this->DisocclusionSamples =
     byPixel ? std::max(constants.FirstSamples, samples) : this->NewSamples;
-  if (this->Estimator->IsFinal())
-  {
-    this->TileConvergence.MarkConverged(samples, settings.Tolerance);
-  }
-  else if (change != EyeDepth::Change::Moved)
+  if (change != EyeDepth::Change::Moved)
   {
     this->TileConvergence.Add(samples, this->Image.GetView().Width, settings.Tolerance,
       [this]() { return this->ReadMeans(); });
@@ -334,7 +373,7 @@ bool OcclusionViewState::Filter()
   const OcclusionConstants& constants = this->Settings.Constants;
   BilateralSettings settings;
   settings.ConvergedWeight = constants.SpatialConvergence * constants.MaximumWeight;
-  if (!constants.Filter || this->Estimator->IsFinal() ||
+  if (!constants.Filter || this->Refined ||
     this->TileConvergence.GetSamples() >= settings.ConvergedWeight)
   {
     // No pixel needs the filter.

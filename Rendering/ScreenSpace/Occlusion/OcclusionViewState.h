@@ -33,8 +33,7 @@ struct OcclusionSettings
   double Tolerance = 0.01;
   OcclusionConstants Constants;
   bool InOneRender = false;
-  /// With InOneRender: the estimator may interpolate and return a final result.
-  bool Interpolate = false;
+  double Seconds = 0.1; ///< time for the samples of a frame of a static view
   bool DelegateDrawsBackground = true;
   bool SceneChanged = true;   ///< something besides the camera may have moved since the last frame
   bool PropsChanged = false;  ///< props were added or removed since the last frame
@@ -86,6 +85,8 @@ private:
   /// Returns whether the estimator can be part of the reprojecting shader.
   bool HasShader() const { return !this->Estimator->GetShader().empty(); }
   bool Estimate(EyeDepth::Change change);
+  vtkPenumbraOcclusionEstimator::Request MakeRequest() const;
+  bool Refine();
   int AccumulateSamples(
     const vtkPenumbraOcclusionEstimator::Request& request, EyeDepth::Change change, bool refine);
   bool Filter();
@@ -114,6 +115,7 @@ private:
   int DisocclusionSamples = 0; ///< number of new samples at pixels without history
   int Props = 0;
   bool HasActorMotion = false;   ///< the image of moving actors is valid in this frame
+  bool Refined = false;          ///< the history is an image of the estimator's Refine()
   bool Filtered = false;         ///< Estimates are filtered with the current settings
   bool StoredFrameValid = false; ///< StoredFrame was composited with the current settings
   bool Converged = false;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OcclusionScene.h"
 
+#include "vtkPenumbraOcclusionConstants.h"
+
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
 #include "vtkPlaneSource.h"
@@ -89,6 +91,8 @@ vtkPenumbraTemporalSSAOPass* OcclusionScene::AddOcclusionPass(double radius)
 {
   this->Pass = vtkPenumbraTemporalSSAOPass::AddTo(this->Renderer);
   this->Pass->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::WORLD);
+  // The number of samples in a frame must not depend on time.
+  this->Pass->GetConstants().StepsPerFrame = 1;
   this->Pass->SetRadius(radius);
   return this->Pass;
 }

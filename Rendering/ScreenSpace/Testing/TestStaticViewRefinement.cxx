@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Frames that a window with an interactor renders by itself, and frames that are interrupted.
+#include "ManualInteractor.h"
 #include "OcclusionScene.h"
 #include "vtkPenumbraOcclusionConstants.h"
 
@@ -9,62 +10,16 @@
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkObjectFactory.h"
-#include "vtkRenderWindowInteractor.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
 
 namespace
 {
 
 using Pass = vtkPenumbraTemporalSSAOPass;
-
-/// Interactor whose timers are fired by the test.
-class ManualInteractor : public vtkRenderWindowInteractor
-{
-public:
-  static ManualInteractor* New();
-  vtkTypeMacro(ManualInteractor, vtkRenderWindowInteractor);
-
-  void Initialize() override
-  {
-    this->Initialized = 1;
-    this->Enabled = 1;
-  }
-
-  /// Fires every timer `count` times.
-  void Tick(int count = 1)
-  {
-    for (int i = 0; i < count; ++i)
-    {
-      for (int timer : std::set<int>(this->Timers))
-      {
-        int id = this->GetVTKTimerId(timer);
-        this->InvokeEvent(vtkCommand::TimerEvent, &id);
-      }
-    }
-  }
-
-  std::set<int> Timers;
-
-protected:
-  int InternalCreateTimer(int, int, unsigned long) override
-  {
-    this->Timers.insert(++this->LastTimer);
-    return this->LastTimer;
-  }
-  int InternalDestroyTimer(int timer) override
-  {
-    return static_cast<int>(this->Timers.erase(timer));
-  }
-
-private:
-  int LastTimer = 0;
-};
-vtkStandardNewMacro(ManualInteractor);
+using penumbra::ManualInteractor;
 
 /// A sphere on a floor, in a window that converges over several frames and counts them.
 class StaticViewRefinement : public ::testing::Test
