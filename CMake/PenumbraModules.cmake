@@ -4,6 +4,7 @@ include(PenumbraTest)
 set(penumbra_module_files
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Comparison/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Irradiance/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Medium/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Parallel/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/RayCasting/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/RayTracing/vtk.module"
@@ -43,7 +44,7 @@ list(REMOVE_ITEM penumbra_python_modules Penumbra::FiltersParallel Penumbra::Tes
 foreach (module IN LISTS penumbra_modules)
   _vtk_module_real_target(penumbra_target ${module})
   penumbra_warnings(${penumbra_target})
-  # Filters/Conventions: headers that filters and passes share.
+  # Filters/Statistics: a header that filters and passes share.
   target_include_directories(${penumbra_target} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/Filters")
   if (module MATCHES "Filters(Irradiance|RayCasting|RayTracing|Scene)|RenderingIrradiance")
     penumbra_precompile(${penumbra_target} <glm/glm.hpp>)

@@ -8,6 +8,7 @@
 #include "ChartFamilies.h"
 
 #include "ShaftScene.h"
+#include "vtkPenumbraShaftConstants.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -117,7 +118,7 @@ Measurement MeasurePass(Subject& subject, int estimator, double tolerance, int s
   Pass* pass = subject.Scene->Pass;
   pass->SetEstimator(estimator);
   pass->SetTolerance(tolerance);
-  pass->SetSteps(steps);
+  pass->GetConstants().Steps = steps;
   Measurement result;
   result.Seconds = std::numeric_limits<double>::infinity();
   const double* place = subject.Sun->GetPosition();
@@ -176,10 +177,10 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
     family.Steps.push_back({ scene, "chained geometric mask [Shafts]",
       std::to_string(steps) + " + " + std::to_string(steps) + " steps", 0.0, [=] {
         Pass* pass = subject().Scene->Pass;
-        pass->SetPasses(2);
+        pass->GetConstants().Passes = 2;
         Measurement measured = MeasurePass(subject(), Pass::RADIAL, 1.0 / 256.0, steps);
         measured.Count *= 2.0;
-        pass->SetPasses(1);
+        pass->GetConstants().Passes = 1;
         return measured;
       } });
   }

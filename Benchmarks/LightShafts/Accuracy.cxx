@@ -4,6 +4,7 @@
 // The pass against the marched reference in the same medium, without a fitted gain.
 #include "Benchmark.h"
 #include "ShaftScene.h"
+#include "vtkPenumbraShaftConstants.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -198,12 +199,12 @@ void MeasureAccuracy(ShaftBenchmark& benchmark)
       {
         for (int i = 0; i < 2; ++i)
         {
-          scene.Pass->SetSteps(Steps[i]);
+          scene.Pass->GetConstants().Steps = Steps[i];
           const double error =
             Compare(benchmark, scene, name + "-" + std::to_string(Steps[i]) + "-steps").All;
           bySteps[i] = std::max(bySteps[i], error);
         }
-        scene.Pass->SetSteps(0);
+        scene.Pass->GetConstants().Steps = 0;
         scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
         radial = std::max(radial, Compare(benchmark, scene, name + "-radial").All);
       }

@@ -5,6 +5,7 @@
 // distances.
 #include "Benchmark.h"
 #include "ShaftScene.h"
+#include "vtkPenumbraShaftConstants.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -41,8 +42,8 @@ struct Chain
 /// Returns the fastest of several frames, none of which is static.
 void Measure(ShaftScene& scene, vtkLight* sun, Chain& chain, int frame)
 {
-  scene.Pass->SetSteps(chain.Steps);
-  scene.Pass->SetPasses(chain.Passes);
+  scene.Pass->GetConstants().Steps = chain.Steps;
+  scene.Pass->GetConstants().Passes = chain.Passes;
   sun->SetPosition(0.1 + 1e-4 * frame, 1.0, 0.12);
   const double start = ThreadSeconds();
   scene.Window->Render();
@@ -62,7 +63,7 @@ void MeasureChained(ShaftBenchmark& benchmark)
   const vtkSmartPointer<vtkLight> sun = scene.AddSun({ 0.1, 1.0, 0.12 });
   scene.SetMedium(0.12, 0.12);
   scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
-  scene.Pass->SetSpacing(vtkPenumbraLightShaftPass::GEOMETRIC);
+  scene.Pass->GetConstants().Spacing = penumbra::ShaftSpacings::Geometric;
   scene.Pass->SetTolerance(1.0 / 1024.0); // a lit fraction for every pixel
   Chain chains[3] = { { 8, 2 }, { 64, 1 }, { 1, 1 } };
   for (int frame = 0; frame < Frames; ++frame)

@@ -15,6 +15,7 @@
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPenumbraLightShaftPass.h"
+#include "vtkPenumbraShaftConstants.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
@@ -136,7 +137,7 @@ void MeasureFrames(ShaftBenchmark& benchmark, const std::string& memory)
   vtkPenumbraLightShaftPass::AddTo(full.Renderer)->SetTolerance(1.0 / 256.0);
   auto* pass = vtkPenumbraLightShaftPass::AddTo(more.Renderer);
   pass->SetTolerance(1.0 / 64.0);
-  pass->SetSteps(64);
+  pass->GetConstants().Steps = 64;
   SphereScene mapped[4]; // shadow maps at three tolerances; the middle one with changing props
   const double tolerances[4] = { 1.0 / 64.0, 1.0 / 256.0, 1.0 / 1024.0, 1.0 / 256.0 };
   for (int i = 0; i < 4; ++i)

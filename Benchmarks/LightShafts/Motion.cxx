@@ -4,6 +4,7 @@
 // Light shafts in motion: in-scattered radiance as a fraction of its maximum.
 #include "Benchmark.h"
 #include "ShaftScene.h"
+#include "vtkPenumbraShaftConstants.h"
 
 #include "vtkActor.h"
 
@@ -120,7 +121,7 @@ void CrossBorder(ShaftBenchmark& benchmark)
     scene.Look({ 0.5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
     scene.AddSun({ 0.6, 1.0, 0.2 });
     scene.SetMedium(EdgeDensity, EdgeDensity);
-    scene.Pass->SetMargin(margin);
+    scene.Pass->GetConstants().Margin = margin;
     Image before;
     Image truthBefore;
     double change = 0.0;

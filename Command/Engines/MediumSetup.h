@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Sets the options of the medium on the object of either engine.
+// Sets the options of the medium, for both engines.
 #ifndef penumbra_MediumSetup_h
 #define penumbra_MediumSetup_h
 
 #include "Options/ShaftOptions.h"
+#include "vtkPenumbraMedium.h"
 
 #include <algorithm>
 #include <array>
@@ -37,9 +38,8 @@ struct CoefficientSetting
   }
 };
 
-/// `medium`: a vtkPenumbraMedium or a vtkPenumbraLightShaftPass.
-template <typename Medium>
-void SetUpMedium(const ShaftOptions& shafts, vtkRenderer* renderer, Medium* medium)
+inline void SetUpMedium(
+  const ShaftOptions& shafts, vtkRenderer* renderer, vtkPenumbraMedium* medium)
 {
   const CoefficientSetting scattering(shafts.Scattering);
   const CoefficientSetting extinction(shafts.Extinction);
@@ -48,9 +48,9 @@ void SetUpMedium(const ShaftOptions& shafts, vtkRenderer* renderer, Medium* medi
   medium->SetScatteringColor(scattering.Color[0], scattering.Color[1], scattering.Color[2]);
   medium->SetExtinctionColor(extinction.Color[0], extinction.Color[1], extinction.Color[2]);
   medium->SetRayleighScattering(shafts.Rayleigh);
-  medium->SetPhase(shafts.Phase == "rayleigh" ? Medium::RAYLEIGH
-      : shafts.Phase == "hg"                  ? Medium::HENYEY_GREENSTEIN
-                                              : Medium::ISOTROPIC);
+  medium->SetPhase(shafts.Phase == "rayleigh" ? vtkPenumbraMedium::RAYLEIGH
+      : shafts.Phase == "hg"                  ? vtkPenumbraMedium::HENYEY_GREENSTEIN
+                                              : vtkPenumbraMedium::ISOTROPIC);
   medium->SetAsymmetry(shafts.Asymmetry);
   const Vector3 up = shafts.Up.value_or(Vector3{ 0, 1, 0 });
   medium->SetScaleHeight(shafts.ScaleHeight);

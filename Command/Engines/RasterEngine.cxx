@@ -114,7 +114,7 @@ void AddShafts(
   }
   const ShaftOptions& shafts = options.Shafts;
   vtkPenumbraLightShaftPass* pass = vtkPenumbraLightShaftPass::AddTo(renderer);
-  SetUpMedium(shafts, renderer, pass);
+  SetUpMedium(shafts, renderer, pass->GetMedium());
   pass->SetTolerance(GetPassTolerance(options));
   pass->SetEstimator(shafts.Estimator == "shadow-map" ? vtkPenumbraLightShaftPass::SHADOW_MAP
                                                       : vtkPenumbraLightShaftPass::DEPTH);

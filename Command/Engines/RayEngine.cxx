@@ -122,7 +122,7 @@ vtkSmartPointer<vtkImageData> ReadDensity(const std::string& path)
 vtkSmartPointer<vtkPenumbraMedium> MakeMedium(const ShaftOptions& shafts, vtkRenderer* renderer)
 {
   vtkNew<vtkPenumbraMedium> medium;
-  SetUpMedium(shafts, renderer, medium.Get());
+  SetUpMedium(shafts, renderer, medium);
   if (!shafts.Density.empty())
   {
     medium->SetDensity(ReadDensity(shafts.Density));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrozenOptions.h"
 
-#include "Conventions/MediumCoefficients.h"
+#include "Medium/MediumCoefficients.h"
 #include "Processes/CommandConstants.h"
 #include "RenderOptions.h"
 

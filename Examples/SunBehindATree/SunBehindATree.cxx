@@ -68,9 +68,7 @@ bool RenderWithRayCaster(vtkRenderer* renderer, vtkPenumbraMedium* haze, const c
 bool RenderInWindow(vtkRenderer* renderer, vtkPenumbraMedium* haze, const char* path)
 {
   vtkPenumbraLightShaftPass* shafts = vtkPenumbraLightShaftPass::AddTo(renderer);
-  shafts->SetScattering(haze->GetScattering());
-  shafts->SetPhase(haze->GetPhase());
-  shafts->SetAsymmetry(haze->GetAsymmetry());
+  shafts->SetMedium(haze);
   shafts->SetTolerance(1.0 / 1024.0); // small leaves need full resolution
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);

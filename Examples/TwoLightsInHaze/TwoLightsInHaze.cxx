@@ -5,6 +5,7 @@
 // columns in haze; AddTo() adds the light shafts.
 //   TwoLightsInHaze IMAGE.png [parallel]
 #include "vtkPenumbraLightShaftPass.h"
+#include "vtkPenumbraMedium.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -76,9 +77,9 @@ int main(int argc, char* argv[])
   AddDirectionalLight(renderer, -0.22, 0.12, -1.0, 1.0, 0.6, 0.25);
   AddDirectionalLight(renderer, 0.22, 0.12, -1.0, 0.25, 0.5, 1.0);
   vtkPenumbraLightShaftPass* shafts = vtkPenumbraLightShaftPass::AddTo(renderer);
-  shafts->SetScattering(0.06); // per world unit
-  shafts->SetPhase(vtkPenumbraLightShaftPass::HENYEY_GREENSTEIN);
-  shafts->SetAsymmetry(0.4);
+  shafts->GetMedium()->SetScattering(0.06); // per world unit
+  shafts->GetMedium()->SetPhase(vtkPenumbraMedium::HENYEY_GREENSTEIN);
+  shafts->GetMedium()->SetAsymmetry(0.4);
 
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraIrradianceCache.h"
 
-#include "Conventions/Statistics.h"
 #include "Embree/RayScene.h"
 #include "Execution/NaNCheck.h"
 #include "Gathering/IrradianceConstants.h"
@@ -11,6 +10,7 @@
 #include "Records/RecordPolyData.h"
 #include "Records/ViewRecords.h"
 #include "Scene.h"
+#include "Statistics/Statistics.h"
 #include "Surface.h"
 
 #include "vtkFieldData.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraDistributedRayCaster.h"
 
-#include "Conventions/Statistics.h"
 #include "DistributedScene.h"
+#include "Statistics/Statistics.h"
 
 #include "vtkFieldData.h"
 #include "vtkImageData.h"

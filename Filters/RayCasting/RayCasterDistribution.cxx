@@ -4,8 +4,8 @@
 // The execution of vtkPenumbraRayCaster together with other ranks.
 #include "RayCasterExecution.h"
 
-#include "Conventions/Statistics.h"
 #include "Distribution/SceneDistribution.h"
+#include "Statistics/Statistics.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

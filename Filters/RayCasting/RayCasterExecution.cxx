@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RayCasterExecution.h"
 
-#include "Conventions/Statistics.h"
 #include "Image/GeometryArrays.h"
 #include "Image/LayerCompositing.h"
 #include "Light/LightRays.h"
@@ -11,6 +10,7 @@
 #include "SceneBounds.h"
 #include "Shading/Illumination.h"
 #include "Shading/LightWarnings.h"
+#include "Statistics/Statistics.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

@@ -6,10 +6,10 @@
 #include "Scene.h"
 #include "Surface.h"
 
-#include "Conventions/Statistics.h"
 #include "Image/LayerCompositing.h"
 #include "InstanceCopies.h"
 #include "Shading/Shading.h"
+#include "Statistics/Statistics.h"
 #include "Vector/EdgeVisibility.h"
 #include "Vector/PdfEncoder.h"
 #include "Vector/PolygonRows.h"

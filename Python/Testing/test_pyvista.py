@@ -542,9 +542,9 @@ class LightShafts(unittest.TestCase):
         plotter = scene()
         plotter.add_light(pyvista.Light(position=(2, 2, 4), light_type="scene light"))
         shafts = plotter.penumbra.enable_light_shafts(scattering=(0.1, 0.2, 0.4), rayleigh=0.1, scale_height=2.0)
-        self.assertAlmostEqual(shafts.GetScattering(), 0.4)
-        numpy.testing.assert_allclose(shafts.GetScatteringColor(), (0.25, 0.5, 1.0))
-        self.assertAlmostEqual(shafts.GetBaseHeight(), plotter.bounds[4])
+        self.assertAlmostEqual(shafts.GetMedium().GetScattering(), 0.4)
+        numpy.testing.assert_allclose(shafts.GetMedium().GetScatteringColor(), (0.25, 0.5, 1.0))
+        self.assertAlmostEqual(shafts.GetMedium().GetBaseHeight(), plotter.bounds[4])
         colored = plotter.penumbra.ray_cast().astype(int)
         self.assertGreater(numpy.abs(colored[..., 2] - colored[..., 0]).max(), 8)
 

@@ -11,11 +11,12 @@ for _name in ("vtkFiltersGeometry", "vtkFiltersGeneral", "vtkIOImage", "vtkIOXML
               "vtkRenderingFreeType", "vtkRenderingOpenGL2"):
     vtk_module(_name)
 
-MODULES = ("vtkPenumbraFiltersRayTracing", "vtkPenumbraFiltersRayCasting", "vtkPenumbraFiltersIrradiance",
-           "vtkPenumbraRenderingScreenSpace", "vtkPenumbraRenderingIrradiance", "vtkPenumbraFiltersComparison")
+MODULES = ("vtkPenumbraFiltersMedium", "vtkPenumbraFiltersRayTracing", "vtkPenumbraFiltersRayCasting",
+           "vtkPenumbraFiltersIrradiance", "vtkPenumbraRenderingScreenSpace", "vtkPenumbraRenderingIrradiance", "vtkPenumbraFiltersComparison")
 
 if TYPE_CHECKING:
     from ._cvista.vtkPenumbraFiltersIrradiance import *
+    from ._cvista.vtkPenumbraFiltersMedium import *
     from ._cvista.vtkPenumbraFiltersRayCasting import *
     from ._cvista.vtkPenumbraFiltersRayTracing import *
     from ._cvista.vtkPenumbraRenderingIrradiance import *

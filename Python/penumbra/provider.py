@@ -63,7 +63,7 @@ class OcclusionProvider(BasePassProvider):
         if state["light_shafts"]:
             shafts = vtkPenumbraLightShaftPass()
             observe_warnings(shafts)
-            shafts.SetBounds(medium_bounds(renderer))
+            shafts.GetMedium().SetBounds(medium_bounds(renderer))
             shafts.SetDelegatePass(last_pass)
             last_pass = shafts
         return last_pass

@@ -134,13 +134,7 @@ def _follow_passes(caster: Any, renderer: Any, settings: Settings) -> bool:
                 _follow_occlusion(caster, renderer, render_pass, settings)
         elif render_pass.IsA("vtkPenumbraLightShaftPass"):
             if settings.light_shafts is None:
-                medium = vtkPenumbraMedium()
-                medium.SetScattering(render_pass.GetScattering())
-                medium.SetExtinction(render_pass.GetExtinction())
-                for name in ("ScatteringColor", "ExtinctionColor", "RayleighScattering", "ScaleHeight", "BaseHeight",
-                             "Up", "Phase", "Asymmetry", "Bounds"):
-                    getattr(medium, "Set" + name)(getattr(render_pass, "Get" + name)())
-                caster.SetMedium(medium)
+                caster.SetMedium(render_pass.GetMedium())
         elif render_pass.IsA("vtkShadowMapPass"):
             if settings.shadows is None:
                 caster.SetShadows(True)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraCubeMapGatherer.h"
 
-#include "Conventions/Statistics.h"
 #include "CubeMap/CubeMapGatherer.h"
+#include "Statistics/Statistics.h"
 
 #include "vtkObjectFactory.h"
 

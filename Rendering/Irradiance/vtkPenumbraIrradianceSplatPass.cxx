@@ -3,13 +3,13 @@
 #include "vtkPenumbraIrradianceSplatPass.h"
 
 #include "Chain/PassSlots.h"
-#include "Conventions/Statistics.h"
 #include "Frame/BackgroundDepth.h"
 #include "Frame/Composite.h"
 #include "Frame/EyeDepth.h"
 #include "Records/RecordPolyData.h"
 #include "Scene.h"
 #include "Splats/RecordSplatter.h"
+#include "Statistics/Statistics.h"
 #include "Surface.h"
 
 #include "vtkDataArray.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraRenderView.h"
 #include "vtkPenumbraOcclusionConstants.h"
+#include "vtkPenumbraShaftConstants.h"
 
 #include "RenderViewPass.h"
 
@@ -115,14 +116,13 @@ void vtkPenumbraRenderView::UpdateSunLight()
   sun->SetIntensity(this->SunIntensity);
 }
 
-/// `medium`: a vtkPenumbraMedium or a vtkPenumbraLightShaftPass.
-template <typename MediumT>
-void vtkPenumbraRenderView::ConfigureMedium(MediumT* medium)
+void vtkPenumbraRenderView::ConfigureMedium(vtkPenumbraMedium* medium)
 {
   const double diagonal = this->GeometryBounds.GetDiagonalLength();
   medium->SetScattering(this->ShaftDensity / diagonal);
   medium->SetRayleighScattering(this->ShaftRayleigh / diagonal);
-  medium->SetPhase(this->ShaftAsymmetry != 0.0 ? MediumT::HENYEY_GREENSTEIN : MediumT::ISOTROPIC);
+  medium->SetPhase(this->ShaftAsymmetry != 0.0 ? vtkPenumbraMedium::HENYEY_GREENSTEIN
+                                               : vtkPenumbraMedium::ISOTROPIC);
   medium->SetAsymmetry(this->ShaftAsymmetry);
   medium->SetScaleHeight(this->ShaftScaleHeight * diagonal);
   double up[3] = { this->ShaftUp[0], this->ShaftUp[1], this->ShaftUp[2] };
@@ -178,8 +178,8 @@ void vtkPenumbraRenderView::Configure(bool interactive)
 
   vtkPenumbraLightShaftPass* shafts = pass->Shafts;
   shafts->SetTolerance(this->PenumbraTolerance);
-  shafts->SetMargin(0.0);
-  this->ConfigureMedium(shafts);
+  shafts->GetConstants().Margin = 0.0;
+  this->ConfigureMedium(shafts->GetMedium());
   // A shadow map contains the data of its process only.
   shafts->SetEstimator(this->SynchronizedRenderers->GetEnabled() ? vtkPenumbraLightShaftPass::DEPTH
                                                                  : this->ShaftEstimator);

@@ -18,6 +18,8 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for members
 
+class vtkPenumbraMedium;
+
 class VTKPENUMBRARENDERINGPARAVIEW_EXPORT vtkPenumbraRenderView : public vtkPVRenderView
 {
 public:
@@ -182,8 +184,7 @@ private:
 
   void UpdateSunLight();
   void Configure(bool interactive);
-  template <typename MediumT>
-  void ConfigureMedium(MediumT* medium);
+  void ConfigureMedium(vtkPenumbraMedium* medium);
   bool UsesOrderedCompositing();
   void WarnOnce(const char* text);
 

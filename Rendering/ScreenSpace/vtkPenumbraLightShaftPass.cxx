@@ -3,10 +3,12 @@
 #include "vtkPenumbraLightShaftPass.h"
 
 #include "Chain/PassSlots.h"
-#include "Conventions/MediumCoefficients.h"
-#include "Conventions/Statistics.h"
 #include "Frame/ScreenSpaceConstants.h"
+#include "Medium/MediumCoefficients.h"
 #include "Shafts/ShaftViewState.h"
+#include "Statistics/Statistics.h"
+#include "vtkPenumbraMedium.h"
+#include "vtkPenumbraShaftConstants.h"
 #include "vtkPenumbraTemporalSSAOPass.h"
 
 #include "vtkBoundingBox.h"
@@ -94,9 +96,12 @@ struct vtkPenumbraLightShaftPass::Internals
   vtkNew<vtkFieldData> Statistics;
   int Steps = 0;
   int MapSize = 0;
-  static penumbra::MediumSettings GetMedium(const Pass* self);
+
+  vtkSmartPointer<vtkPenumbraMedium> Medium = vtkSmartPointer<vtkPenumbraMedium>::New();
+  penumbra::ShaftConstants Constants;
+
   /// Returns a warning if the settings do not describe a medium, else nothing.
-  static std::string FindInvalidSetting(const Pass* self);
+  std::string FindInvalidSetting(const Pass* self) const;
 
   penumbra::ShaftSettings MakeSettings(
     const Pass* self, const vtkRenderState* state, const vtkBoundingBox& box) const;
@@ -168,36 +173,46 @@ void vtkPenumbraLightShaftPass::RemoveAllEmitters()
   this->Modified();
 }
 
-penumbra::MediumSettings vtkPenumbraLightShaftPass::Internals::GetMedium(const Pass* self)
+void vtkPenumbraLightShaftPass::SetMedium(vtkPenumbraMedium* medium)
 {
-  penumbra::MediumSettings medium;
-  medium.Scattering = self->Scattering;
-  medium.Extinction = self->Extinction;
-  std::copy_n(self->ScatteringColor, 3, medium.ScatteringColor.begin());
-  std::copy_n(self->ExtinctionColor, 3, medium.ExtinctionColor.begin());
-  medium.Rayleigh = self->RayleighScattering;
-  medium.ScaleHeight = self->ScaleHeight;
-  medium.BaseHeight = self->BaseHeight;
-  std::copy_n(self->Up, 3, medium.Up.begin());
-  return medium;
+  if (this->Implementation->Medium != medium)
+  {
+    this->Implementation->Medium = medium ? vtkSmartPointer<vtkPenumbraMedium>(medium)
+                                          : vtkSmartPointer<vtkPenumbraMedium>::New();
+    this->Modified();
+  }
 }
 
-std::string vtkPenumbraLightShaftPass::Internals::FindInvalidSetting(const Pass* self)
+vtkPenumbraMedium* vtkPenumbraLightShaftPass::GetMedium()
 {
-  const double values[] = { self->Scattering, self->Extinction, self->Asymmetry, self->Exposure,
-    self->Thickness, self->Tolerance };
-  if (!std::all_of(std::begin(values), std::end(values), [](double n) { return std::isfinite(n); }))
+  return this->Implementation->Medium;
+}
+
+penumbra::ShaftConstants& vtkPenumbraLightShaftPass::GetConstants()
+{
+  return this->Implementation->Constants;
+}
+
+std::string vtkPenumbraLightShaftPass::Internals::FindInvalidSetting(const Pass* self) const
+{
+  if (!std::isfinite(self->Exposure) || !std::isfinite(self->Thickness) ||
+    !std::isfinite(self->Tolerance))
   {
-    return "Scattering, Extinction, Asymmetry, Exposure, Thickness and Tolerance must be finite; "
-           "light shafts are not rendered.";
+    return "Exposure, Thickness and Tolerance must be finite; light shafts are not rendered.";
   }
-  if (const char* reason = penumbra::FindInvalidMediumSetting(GetMedium(self)))
+  if (!std::isfinite(this->Medium->GetAsymmetry()))
+  {
+    return "Asymmetry must be finite; light shafts are not rendered.";
+  }
+  if (const char* reason =
+        penumbra::FindInvalidMediumSetting(penumbra::MediumSettings(this->Medium)))
   {
     return std::string(reason) + "; light shafts are not rendered.";
   }
+  const double* bounds = this->Medium->GetBounds();
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (!(self->Bounds[2 * axis] < self->Bounds[2 * axis + 1]))
+    if (!(bounds[2 * axis] < bounds[2 * axis + 1]))
     {
       return "The lower Bounds of the medium must be below the upper ones; light shafts are not "
              "rendered.";
@@ -220,7 +235,8 @@ penumbra::ShaftSettings vtkPenumbraLightShaftPass::Internals::MakeSettings(
   penumbra::ShaftSettings settings;
   settings.Unit = diagonal;
   settings.Range = std::sqrt(vtkMath::Distance2BetweenPoints(eye, center)) + diagonal;
-  const penumbra::MediumSettings medium = GetMedium(self);
+  const penumbra::ShaftConstants& constants = this->Constants;
+  const penumbra::MediumSettings medium(this->Medium);
   settings.Channels = penumbra::ResolveMediumCoefficients(medium, diagonal);
   for (penumbra::MediumCoefficients& channel : settings.Channels)
   {
@@ -235,8 +251,8 @@ penumbra::ShaftSettings vtkPenumbraLightShaftPass::Internals::MakeSettings(
   settings.BaseHeight = medium.BaseHeight;
   settings.Up = medium.Up;
   vtkMath::Normalize(settings.Up.data());
-  settings.Phase = self->Phase;
-  settings.Asymmetry = self->Asymmetry;
+  settings.Phase = this->Medium->GetPhase();
+  settings.Asymmetry = this->Medium->GetAsymmetry();
   settings.Exposure = self->Exposure;
   settings.Radial = self->Estimator == RADIAL;
   settings.MapSize = self->Estimator == SHADOW_MAP ? penumbra::ShadowMapSize : 0;
@@ -244,26 +260,28 @@ penumbra::ShaftSettings vtkPenumbraLightShaftPass::Internals::MakeSettings(
     self->Thickness > 0.0 ? self->Thickness : ComputeMeanThickness(state, diagonal);
   settings.Block = ComputeBlockSize(self->Tolerance);
   const int blocks = std::max(size[0], size[1]) / settings.Block;
-  settings.Steps = self->Steps > 0 ? self->Steps : ComputeSteps(self->Tolerance, blocks);
-  settings.MapSteps = self->Steps > 0 ? self->Steps : ComputeMapSteps(self->Tolerance);
+  settings.Steps = constants.Steps > 0 ? constants.Steps : ComputeSteps(self->Tolerance, blocks);
+  settings.MapSteps = constants.Steps > 0 ? constants.Steps : ComputeMapSteps(self->Tolerance);
   settings.DelegateDrawsBackground = !self->OpaqueOnly;
-  settings.Prepass = self->Occlusion == PREPASS;
+  settings.Prepass = constants.Occlusion == penumbra::ShaftOcclusions::Prepass;
   settings.Emitters.assign(this->Emitters.begin(), this->Emitters.end());
+  const double* bounds = this->Medium->GetBounds();
   settings.Bounded =
-    std::any_of(self->Bounds, self->Bounds + 6, [](double bound) { return std::isfinite(bound); });
-  std::copy_n(self->Bounds, 6, settings.Bounds.begin());
+    std::any_of(bounds, bounds + 6, [](double bound) { return std::isfinite(bound); });
+  std::copy_n(bounds, 6, settings.Bounds.begin());
   settings.AutomaticTone = self->AutomaticTone;
   renderer->GetBackground(settings.Background.data());
 
   penumbra::RadialBlurSettings& radial = settings.RadialBlur;
   radial.Steps = settings.Steps;
-  radial.Passes = self->Passes;
-  radial.Geometric = self->Spacing == GEOMETRIC;
-  radial.Weight = self->Weight;
-  radial.Decay = self->Decay;
-  radial.Density = self->Density;
-  radial.SurfaceEmission = self->Occlusion == CONTRAST ? self->SurfaceEmission : 0.0;
-  radial.SkyIsImage = self->Sky == IMAGE;
+  radial.Passes = constants.Passes;
+  radial.Geometric = constants.Spacing == penumbra::ShaftSpacings::Geometric;
+  radial.Weight = constants.Weight;
+  radial.Decay = constants.Decay;
+  radial.PathRatio = constants.PathRatio;
+  radial.SurfaceEmission =
+    constants.Occlusion == penumbra::ShaftOcclusions::Contrast ? constants.SurfaceEmission : 0.0;
+  radial.SkyIsImage = constants.Sky == penumbra::ShaftSkies::Image;
   radial.Block = settings.Block;
   radial.DelegateDrawsBackground = settings.DelegateDrawsBackground;
   return settings;
@@ -281,11 +299,17 @@ bool vtkPenumbraLightShaftPass::RenderEffect(const vtkRenderState* state)
   {
     return false;
   }
-  const std::string warning = Internals::FindInvalidSetting(this);
+  const std::string warning = internals.FindInvalidSetting(this);
   if (!warning.empty())
   {
     this->WarnOnce(warning);
     return false;
+  }
+  if (internals.Medium->GetDensity())
+  {
+    this->WarnOnce(
+      "The density image of the medium has no effect on the light shafts of this pass; "
+      "only the ray caster renders it.");
   }
   penumbra::ShaftSettings settings = internals.MakeSettings(this, state, vtkBoundingBox(bounds));
   const int noMargin[2] = { 0, 0 };
@@ -311,9 +335,9 @@ bool vtkPenumbraLightShaftPass::RenderEffect(const vtkRenderState* state)
   {
     const bool outside = std::any_of(lights.begin(), lights.end(),
       [](const penumbra::ShaftLight& light) { return !light.InImage && !light.HasShadowMap; });
-    const double percent = this->Margin >= 0.0 ? this->Margin
-      : outside                                ? penumbra::DefaultShaftMargin
-                                               : 0.0;
+    const double percent = internals.Constants.Margin >= 0.0 ? internals.Constants.Margin
+      : outside                                              ? penumbra::DefaultShaftMargin
+                                                             : 0.0;
     settings.Margin[0] = settings.Margin[1] =
       static_cast<int>(std::ceil(percent / 100.0 * std::max(size[0], size[1])));
   }
@@ -388,38 +412,11 @@ void vtkPenumbraLightShaftPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "Steps: " << this->Steps << "\n";
-  os << indent << "Scattering: " << this->Scattering << "\n";
-  os << indent << "Extinction: " << this->Extinction << "\n";
-  const auto print = [&os, indent](const char* name, const double* numbers) {
-    os << indent << name << ": " << numbers[0] << " " << numbers[1] << " " << numbers[2] << "\n";
-  };
-  print("ScatteringColor", this->ScatteringColor);
-  print("ExtinctionColor", this->ExtinctionColor);
-  os << indent << "RayleighScattering: " << this->RayleighScattering << "\n";
-  os << indent << "ScaleHeight: " << this->ScaleHeight << "\n";
-  os << indent << "BaseHeight: " << this->BaseHeight << "\n";
-  print("Up", this->Up);
-  os << indent << "Phase: " << this->Phase << "\n";
-  os << indent << "Asymmetry: " << this->Asymmetry << "\n";
+  os << indent << "Medium: " << this->Implementation->Medium.Get() << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "AutomaticTone: " << this->AutomaticTone << "\n";
-  os << indent << "Bounds:";
-  for (const double bound : this->Bounds)
-  {
-    os << " " << bound;
-  }
-  os << "\n" << indent << "Estimator: " << this->GetEstimatorAsString() << "\n";
+  os << indent << "Estimator: " << this->GetEstimatorAsString() << "\n";
   os << indent << "Thickness: " << this->Thickness << "\n";
-  os << indent << "Weight: " << this->Weight << "\n";
-  os << indent << "Decay: " << this->Decay << "\n";
-  os << indent << "Density: " << this->Density << "\n";
-  os << indent << "Spacing: " << this->Spacing << "\n";
-  os << indent << "Passes: " << this->Passes << "\n";
-  os << indent << "Occlusion: " << this->Occlusion << "\n";
-  os << indent << "Sky: " << this->Sky << "\n";
-  os << indent << "SurfaceEmission: " << this->SurfaceEmission << "\n";
   os << indent << "Lights: " << this->Implementation->Lights.size() << "\n";
   os << indent << "Emitters: " << this->Implementation->Emitters.size() << "\n";
-  os << indent << "Margin: " << this->Margin << "\n";
 }

@@ -9,9 +9,9 @@
  * fraction of the ray (eq. 2). By default, one march through the depth buffer toward the light
  * finds the shadowed intervals of the ray; the radial blur of the paper or a shadow map of each
  * light can be selected instead.
- * The parameters of the medium are those of vtkPenumbraMedium, so that the ray caster renders the
- * same image. The pass has no density image, does not attenuate light on its way to surfaces, and
- * translucent surfaces stand in front of the medium.
+ * With the same vtkPenumbraMedium, the ray caster renders the same image. The pass ignores its
+ * density image, with one warning, does not attenuate light on its way to surfaces, and translucent
+ * surfaces stand in front of the medium.
  *
  * AddTo() sets up everything on a renderer in one call, RemoveFrom() restores it. All lights of the
  * renderer except headlights cast shafts, or only those given to AddLight(). A static scene is
@@ -24,12 +24,16 @@
 #include "vtkPenumbraScreenSpacePass.h"
 #include "vtkPenumbraSetNumber.h" // for setters
 
-#include <limits> // for infinite bounds
 #include <memory> // for std::unique_ptr
 
+namespace penumbra
+{
+struct ShaftConstants;
+}
 class vtkFieldData;
 class vtkImageData;
 class vtkLight;
+class vtkPenumbraMedium;
 class vtkProp;
 class vtkRenderer;
 
@@ -65,69 +69,11 @@ public:
 
   ///@{
   /**
-   * Number of depth fetches per light and lit fraction. 0: 0.375 / Tolerance, at least 16 and at
-   * most one per two blocks of the larger image side; with SHADOW_MAP 1.5 / sqrt(Tolerance), at
-   * least 16. Range: [0, 1024]. Default: 0.
+   * Medium that fills the scene. If its channels differ, the lit fractions are those of the most
+   * transparent one. Default, also for null: a vtkPenumbraMedium with its defaults.
    */
-  vtkSetClampMacro(Steps, int, 0, 1024);
-  vtkGetMacro(Steps, int);
-  ///@}
-
-  ///@{
-  /**
-   * Scattering and extinction coefficients, per world unit. Negative scattering means 0.25 divided
-   * by the diagonal of the scene bounds; extinction below scattering means scattering. Defaults:
-   * -1.
-   */
-  vtkPenumbraSetNumberMacro(Scattering);
-  vtkGetMacro(Scattering, double);
-  vtkPenumbraSetNumberMacro(Extinction);
-  vtkGetMacro(Extinction, double);
-  ///@}
-
-  ///@{
-  /**
-   * As in vtkPenumbraMedium: factors on the coefficients in the red, green and blue channel, and
-   * Rayleigh scattering in addition, per world unit in green. If the channels differ, the lit
-   * fractions are those of the most transparent one. Ranges: >= 0. Defaults: (1, 1, 1) and 0.
-   */
-  vtkSetVector3Macro(ScatteringColor, double);
-  vtkGetVector3Macro(ScatteringColor, double);
-  vtkSetVector3Macro(ExtinctionColor, double);
-  vtkGetVector3Macro(ExtinctionColor, double);
-  vtkPenumbraSetNumberMacro(RayleighScattering);
-  vtkGetMacro(RayleighScattering, double);
-  ///@}
-
-  ///@{
-  /**
-   * As in vtkPenumbraMedium: relative density exp(-(h - BaseHeight) / ScaleHeight) at height h
-   * along Up; ScaleHeight 0: 1 everywhere. Defaults: 0, 0, (0, 1, 0).
-   */
-  vtkPenumbraSetNumberMacro(ScaleHeight);
-  vtkGetMacro(ScaleHeight, double);
-  vtkPenumbraSetNumberMacro(BaseHeight);
-  vtkGetMacro(BaseHeight, double);
-  vtkSetVector3Macro(Up, double);
-  vtkGetVector3Macro(Up, double);
-  ///@}
-
-  /** Phase functions, as vtkPenumbraMedium::Phases. */
-  enum Phases
-  {
-    ISOTROPIC,
-    RAYLEIGH,
-    HENYEY_GREENSTEIN
-  };
-  ///@{
-  /**
-   * Phase function (default: ISOTROPIC), and the mean cosine of HENYEY_GREENSTEIN, positive for
-   * forward scattering. Range: [-0.999, 0.999]. Default: 0.6.
-   */
-  vtkSetClampMacro(Phase, int, ISOTROPIC, HENYEY_GREENSTEIN);
-  vtkGetMacro(Phase, int);
-  vtkPenumbraSetClampedNumberMacro(Asymmetry, -0.999, 0.999);
-  vtkGetMacro(Asymmetry, double);
+  virtual void SetMedium(vtkPenumbraMedium* medium);
+  vtkPenumbraMedium* GetMedium();
   ///@}
 
   ///@{
@@ -146,15 +92,6 @@ public:
   vtkSetMacro(AutomaticTone, bool);
   vtkGetMacro(AutomaticTone, bool);
   vtkBooleanMacro(AutomaticTone, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Box that the medium fills, in world coordinates (xmin, xmax, ymin, ...); bounds may be
-   * infinite. Default: all infinite.
-   */
-  vtkSetVector6Macro(Bounds, double);
-  vtkGetVector6Macro(Bounds, double);
   ///@}
 
   /** Estimators of the lit fraction of a view ray. */
@@ -189,68 +126,6 @@ public:
   ///@}
 
   ///@{
-  /**
-   * RADIAL [Shafts eq. 4]: Weight is a factor on all samples (>= 0), Decay a factor per 1/64 of the
-   * path (range: [0, 1]), Density the ratio of the path to the light to the sampled path (range:
-   * [1, 1000]). Defaults: 1.
-   */
-  vtkPenumbraSetClampedNumberMacro(Weight, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(Weight, double);
-  vtkPenumbraSetClampedNumberMacro(Decay, 0.0, 1.0);
-  vtkGetMacro(Decay, double);
-  vtkPenumbraSetClampedNumberMacro(Density, 1.0, 1000.0);
-  vtkGetMacro(Density, double);
-  ///@}
-
-  /** RADIAL: spacing of the samples. */
-  enum Spacings
-  {
-    EVEN,
-    GEOMETRIC ///< each step covers the same fraction of the remaining path to the light
-  };
-  ///@{
-  /**
-   * RADIAL: Spacing of samples (default: EVEN) and number of chained passes. Each pass averages
-   * Steps samples of the previous one, so that Steps^Passes samples have an effect [Shafts 13.8].
-   * More than one pass implies GEOMETRIC. Range: [1, 6]. Default: 1.
-   */
-  vtkSetClampMacro(Spacing, int, EVEN, GEOMETRIC);
-  vtkGetMacro(Spacing, int);
-  vtkSetClampMacro(Passes, int, 1, 6);
-  vtkGetMacro(Passes, int);
-  ///@}
-
-  /** RADIAL: treatment of occluders in the emission image [Shafts 13.5]. */
-  enum Occlusions
-  {
-    MASK,    ///< occluders are black; depth separates them from sky and emitters
-    PREPASS, ///< with emitters: the scene is rendered a second time, with black occluders
-    CONTRAST ///< occluders emit their color times SurfaceEmission
-  };
-  ///@{
-  /**
-   * Treatment of occluders (default: MASK), and the fraction of their color that occluders emit
-   * with CONTRAST. Range: [0, 1]. Default: 0.2.
-   */
-  vtkSetClampMacro(Occlusion, int, MASK, CONTRAST);
-  vtkGetMacro(Occlusion, int);
-  vtkPenumbraSetClampedNumberMacro(SurfaceEmission, 0.0, 1.0);
-  vtkGetMacro(SurfaceEmission, double);
-  ///@}
-
-  /** RADIAL: emission of pixels without a surface, multiplied by the color of the light. */
-  enum Skies
-  {
-    WHITE, ///< white; black if there are emitters
-    IMAGE  ///< the image behind the scene
-  };
-  ///@{
-  /** Emission of the sky. Default: WHITE. */
-  vtkSetClampMacro(Sky, int, WHITE, IMAGE);
-  vtkGetMacro(Sky, int);
-  ///@}
-
-  ///@{
   /** RADIAL: props that emit the color with which they are rendered. Default: none. */
   void AddEmitter(vtkProp* prop);
   void RemoveAllEmitters();
@@ -265,15 +140,8 @@ public:
   void RemoveAllLights();
   ///@}
 
-  ///@{
-  /**
-   * Margin around the image, in which occluders have an effect, in percent of the larger image
-   * side. Negative: 20 while a light without a shadow map is outside of the image, else 0. Requires
-   * OpaqueOnly. Range: up to 100. Default: -1.
-   */
-  vtkPenumbraSetClampedNumberMacro(Margin, -1.0, 100.0);
-  vtkGetMacro(Margin, double);
-  ///@}
+  /** Constants of the method, for benchmarks and tests. Their names and meanings may change. */
+  penumbra::ShaftConstants& GetConstants();
 
   void ReleaseGraphicsResources(vtkWindow* w) override;
 
@@ -307,32 +175,10 @@ private:
   std::unique_ptr<Internals> Implementation;
 
   double Tolerance = 1.0 / 256.0;
-  int Steps = 0;
-  double Scattering = -1.0;
-  double Extinction = -1.0;
-  double ScatteringColor[3] = { 1.0, 1.0, 1.0 };
-  double ExtinctionColor[3] = { 1.0, 1.0, 1.0 };
-  double RayleighScattering = 0.0;
-  double ScaleHeight = 0.0;
-  double BaseHeight = 0.0;
-  double Up[3] = { 0.0, 1.0, 0.0 };
-  int Phase = ISOTROPIC;
-  double Asymmetry = 0.6;
   double Exposure = 1.0;
   bool AutomaticTone = false;
-  static constexpr double Infinity = std::numeric_limits<double>::infinity();
-  double Bounds[6] = { -Infinity, Infinity, -Infinity, Infinity, -Infinity, Infinity };
   int Estimator = DEPTH;
   double Thickness = 0.0;
-  double Weight = 1.0;
-  double Decay = 1.0;
-  double Density = 1.0;
-  int Spacing = EVEN;
-  int Passes = 1;
-  int Occlusion = MASK;
-  double SurfaceEmission = 0.2;
-  int Sky = WHITE;
-  double Margin = -1.0;
 };
 
 #endif

@@ -4,10 +4,10 @@
 
 #include "Chain/PassSlots.h"
 #include "Chain/StaticViewRefiner.h"
-#include "Conventions/Statistics.h"
 #include "Frame/ScopedCamera.h"
 #include "Frame/ScreenSpaceConstants.h"
 #include "Occlusion/OcclusionViewState.h"
+#include "Statistics/Statistics.h"
 #include "vtkPenumbraKernelEstimator.h"
 #include "vtkPenumbraKernels.h"
 #include "vtkPenumbraOcclusionConstants.h"

@@ -3,6 +3,8 @@
 //
 // Light shafts estimated from shadow maps, against the ray-marched reference of the ray caster.
 #include "ShaftScene.h"
+#include "vtkPenumbraMedium.h"
+#include "vtkPenumbraShaftConstants.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
@@ -111,7 +113,7 @@ TEST_F(ShaftShadowMaps, MatchTheReferenceInParallelProjectionAndABoundedMedium)
     RelativeRmse(this->Scene->RenderWithPass(), this->Scene->RenderWithRayCaster(96)), 0.02);
   camera->ParallelProjectionOff();
   this->Scene->Look({ 0.5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
-  this->Scene->Pass->SetBounds(-5.0, 3.0, -6.0, 7.0, 0.0, 4.5);
+  this->Scene->Pass->GetMedium()->SetBounds(-5.0, 3.0, -6.0, 7.0, 0.0, 4.5);
   EXPECT_LT(
     RelativeRmse(this->Scene->RenderWithPass(), this->Scene->RenderWithRayCaster(96)), 0.03);
 }
@@ -248,7 +250,7 @@ TEST_F(ShaftShadowMaps, LeaveTheShadingOfPropsUnchanged)
       bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues());
   };
   this->Scene->Pass->SetEstimatorToDepth();
-  this->Scene->Pass->SetMargin(0.0);
+  this->Scene->Pass->GetConstants().Margin = 0.0;
   const std::vector<unsigned char> expected = render();
   this->Scene->Pass->SetEstimatorToShadowMap();
   for (int frame = 0; frame < 5; ++frame)

@@ -4,10 +4,13 @@
 // The light shaft pass against closed forms and against the ray-marched reference of the ray
 // caster.
 #include "ShaftScene.h"
+#include "vtkPenumbraMedium.h"
+#include "vtkPenumbraShaftConstants.h"
 
 #include "vtkPenumbraTemporalSSAOPass.h"
 
 #include "vtkActorCollection.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -121,10 +124,9 @@ TEST_F(LightShaftPass, MatchesReferenceForPositionalLightAndParallelProjection)
 TEST_F(LightShaftPass, MatchesPhaseFunctionsOfTheReference)
 {
   this->Scene.AddSun({ 0.2, 1.0, 0.32 });
-  for (const int phase :
-    { vtkPenumbraLightShaftPass::RAYLEIGH, vtkPenumbraLightShaftPass::HENYEY_GREENSTEIN })
+  for (const int phase : { vtkPenumbraMedium::RAYLEIGH, vtkPenumbraMedium::HENYEY_GREENSTEIN })
   {
-    this->Scene.Pass->SetPhase(phase);
+    this->Scene.Pass->GetMedium()->SetPhase(phase);
     EXPECT_LT(RelativeRmse(this->Scene.RenderWithPass(), this->Scene.RenderWithRayCaster(64)), 0.03)
       << phase;
   }
@@ -134,8 +136,8 @@ TEST_F(LightShaftPass, AddsLights)
 {
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
   const vtkSmartPointer<vtkLight> positional = this->Scene.AddLamp({ 1.0, 2.0, 3.0 });
-  this->Scene.Pass->SetMargin(
-    0.0); // otherwise the margin for a light outside of the image would apply to all lights
+  this->Scene.Pass->GetConstants().Margin =
+    0.0; // otherwise the margin for a light outside of the image would apply to all lights
   const std::vector<double> both = this->Scene.RenderWithPass();
   this->Scene.Pass->AddLight(positional);
   const std::vector<double> one = this->Scene.RenderWithPass();
@@ -208,7 +210,7 @@ TEST_F(LightShaftPass, RendersAStaticSceneWithMarginDirectlyIntoItsTarget)
 
 TEST_F(LightShaftPass, CombinesManyDirectionalAndPositionalLights)
 {
-  this->Scene.Pass->SetMargin(0.0);
+  this->Scene.Pass->GetConstants().Margin = 0.0;
   std::vector<vtkSmartPointer<vtkLight>> lights;
   for (int i = 0; i < 4; ++i)
   {
@@ -264,6 +266,37 @@ TEST_F(LightShaftPass, IsFiniteForAnyLightPosition)
   }
 }
 
+TEST_F(LightShaftPass, ReplacesTheMediumByADefaultOne)
+{
+  vtkPenumbraLightShaftPass* pass = this->Scene.Pass;
+  const vtkSmartPointer<vtkPenumbraMedium> before = pass->GetMedium();
+  const vtkMTimeType time = pass->GetMTime();
+  pass->SetMedium(nullptr);
+  EXPECT_GT(pass->GetMTime(), time);
+  ASSERT_NE(pass->GetMedium(), nullptr);
+  EXPECT_NE(pass->GetMedium(), before);
+  EXPECT_EQ(pass->GetMedium()->GetScattering(), -1.0);
+  pass->SetMedium(before);
+  EXPECT_EQ(pass->GetMedium(), before);
+}
+
+TEST_F(LightShaftPass, IgnoresADensityImageWithOneWarning)
+{
+  this->Scene.AddSun({ 0.2, 1.0, 0.32 });
+  const std::vector<unsigned char> plain = this->Image();
+  vtkNew<vtkImageData> density;
+  this->Scene.Pass->GetMedium()->SetDensity(density);
+  int warnings = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&warnings);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  this->Scene.Pass->AddObserver(vtkCommand::WarningEvent, count);
+  EXPECT_EQ(this->Image(), plain);
+  EXPECT_EQ(this->Image(), plain);
+  EXPECT_EQ(warnings, 1);
+}
+
 TEST_F(LightShaftPass, LeavesTheSceneUnchangedOnInvalidInput)
 {
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
@@ -275,18 +308,18 @@ TEST_F(LightShaftPass, LeavesTheSceneUnchangedOnInvalidInput)
   EXPECT_NE(foggy, plain);
 
   vtkPenumbraLightShaftPass* pass = vtkPenumbraLightShaftPass::AddTo(this->Scene.Renderer);
-  pass->SetScattering(std::numeric_limits<double>::infinity());
+  pass->GetMedium()->SetScattering(std::numeric_limits<double>::infinity());
   EXPECT_EQ(this->Image(), plain);
-  pass->SetScattering(0.12);
+  pass->GetMedium()->SetScattering(0.12);
   sun->SetIntensity(0.0);
   EXPECT_EQ(this->Image(), plain);
   sun->SetIntensity(std::numeric_limits<double>::infinity());
   EXPECT_EQ(this->Image(), plain);
   sun->SetIntensity(1.0);
-  pass->SetBounds(1.0, -1.0, 0.0, 1.0, 0.0, 1.0);
+  pass->GetMedium()->SetBounds(1.0, -1.0, 0.0, 1.0, 0.0, 1.0);
   EXPECT_EQ(this->Image(), plain);
   const double endless = std::numeric_limits<double>::infinity();
-  pass->SetBounds(-endless, endless, -endless, endless, -endless, endless);
+  pass->GetMedium()->SetBounds(-endless, endless, -endless, endless, -endless, endless);
   EXPECT_NE(this->Image(), plain);
   // A positional light at the camera's position.
   sun->PositionalOn();
@@ -302,7 +335,7 @@ TEST_F(LightShaftPass, LeavesTheSceneUnchangedOnInvalidInput)
 
 TEST_F(LightShaftPass, MatchesReferenceInABoundedMedium)
 {
-  this->Scene.Pass->SetBounds(-5.0, 3.0, -6.0, 7.0, 0.0, 4.5);
+  this->Scene.Pass->GetMedium()->SetBounds(-5.0, 3.0, -6.0, 7.0, 0.0, 4.5);
   this->Scene.SetMedium(0.2, 0.3);
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.5 });
   EXPECT_LT(RelativeRmse(this->Scene.RenderWithPass(), this->Scene.RenderWithRayCaster(64)), 0.06);
@@ -315,13 +348,13 @@ TEST_F(LightShaftPass, ChainsPassesEquivalentToOneLongLoop)
 {
   this->Scene.AddSun({ 0.1, 1.0, 0.1 });
   this->Scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
-  this->Scene.Pass->SetSpacing(vtkPenumbraLightShaftPass::GEOMETRIC);
-  this->Scene.Pass->SetDecay(0.99);
-  this->Scene.Pass->SetSteps(64);
+  this->Scene.Pass->GetConstants().Spacing = penumbra::ShaftSpacings::Geometric;
+  this->Scene.Pass->GetConstants().Decay = 0.99;
+  this->Scene.Pass->GetConstants().Steps = 64;
   const std::vector<double> loop = this->Scene.RenderWithPass();
-  this->Scene.Pass->SetSteps(8);
+  this->Scene.Pass->GetConstants().Steps = 8;
   const std::vector<double> few = this->Scene.RenderWithPass();
-  this->Scene.Pass->SetPasses(2);
+  this->Scene.Pass->GetConstants().Passes = 2;
   const std::vector<double> chain = this->Scene.RenderWithPass();
   EXPECT_LT(RelativeRmse(chain, loop), 0.01);
   EXPECT_GT(RelativeRmse(few, loop), 0.02);
@@ -333,7 +366,7 @@ TEST_F(LightShaftPass, ScattersTheColorsOfTheImageBehind)
   this->Scene.Renderer->SetBackground(0.8, 0.4, 0.0);
   this->Scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
   const std::vector<double> white = this->Scene.RenderWithPass();
-  this->Scene.Pass->SetSky(vtkPenumbraLightShaftPass::IMAGE);
+  this->Scene.Pass->GetConstants().Sky = penumbra::ShaftSkies::Image;
   const std::vector<double> red = this->Scene.RenderWithPass();
   vtkNew<vtkImageData> image;
   this->Scene.Pass->CopyShafts(image);
@@ -358,7 +391,7 @@ TEST_F(LightShaftPass, LetsSelectedActorsEmitWhereVisible)
   scene.AddSun({ 0.0, 1.0, 0.0 });
   scene.SetMedium(0.12, 0.12);
   scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
-  scene.Pass->SetDensity(1000.0); // an emitter that is hardly blurred
+  scene.Pass->GetConstants().PathRatio = 1000.0; // an emitter that is hardly blurred
   scene.Pass->AddEmitter(plate);
   const auto greens = [&scene]() {
     EXPECT_EQ(scene.RenderWithPass()[36 * 96 + 30], 0.0); // no red
@@ -376,7 +409,7 @@ TEST_F(LightShaftPass, LetsSelectedActorsEmitWhereVisible)
   EXPECT_GT(masked[36 * 96 + 40], 0.5 / WholeSphere); // the plate
   EXPECT_EQ(masked[36 * 96 + 56], 0.0);               // the box in front of it
   EXPECT_EQ(masked[66 * 96 + 40], 0.0);               // the sky
-  scene.Pass->SetOcclusion(vtkPenumbraLightShaftPass::PREPASS);
+  scene.Pass->GetConstants().Occlusion = penumbra::ShaftOcclusions::Prepass;
   const std::vector<double> drawn = greens();
   EXPECT_LT(RelativeRmse(drawn, masked), 0.02);
 }
@@ -397,8 +430,8 @@ TEST_F(LightShaftPass, DrawsNoStreaksFromBrightSurfacesUnlessByContrast)
     return this->Scene.RenderWithPass();
   };
   EXPECT_EQ(paint(true), paint(false));
-  this->Scene.Pass->SetOcclusion(vtkPenumbraLightShaftPass::CONTRAST);
-  this->Scene.Pass->SetSurfaceEmission(0.1);
+  this->Scene.Pass->GetConstants().Occlusion = penumbra::ShaftOcclusions::Contrast;
+  this->Scene.Pass->GetConstants().SurfaceEmission = 0.1;
   const std::vector<double> black = paint(false);
   const std::vector<double> white = paint(true);
   const std::vector<double> left = this->Scene.Transmittance();

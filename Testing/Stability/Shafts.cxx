@@ -6,6 +6,7 @@
 // reference of the ray caster.
 #include "Scenario.h"
 #include "ShaftScene.h"
+#include "vtkPenumbraShaftConstants.h"
 
 #include "Frame/ScopedShaderEdit.h"
 
@@ -173,7 +174,7 @@ ScenarioResult OccluderCrossesImageEdge(Variant variant)
   Haze scene(0);
   const auto ball = scene.AddSphere({ 0.0, 0.0, 2.0 }, .8);
   scene.AddSun({ .6, 1.0, .2 });
-  scene.Pass->SetMargin(variant == Variant::Ablated ? 0.0 : -1.0);
+  scene.Pass->GetConstants().Margin = variant == Variant::Ablated ? 0.0 : -1.0;
   double worst = 0.0;
   Frame image;
   for (int frame = 0; frame < 12; ++frame)
@@ -192,7 +193,7 @@ ScenarioResult OccluderOutside(Variant variant)
   Haze scene(0);
   scene.AddSphere({ 5.6, 0.0, 2.0 }, .9);
   scene.AddSun({ .6, 1.0, .2 });
-  scene.Pass->SetMargin(variant == Variant::Ablated ? 0.0 : -1.0);
+  scene.Pass->GetConstants().Margin = variant == Variant::Ablated ? 0.0 : -1.0;
   return CompareWithRayCaster(scene);
 }
 
@@ -206,10 +207,10 @@ ScenarioResult NumberOfSamples(Variant variant)
     Haze scene;
     scene.AddSun(SunInView);
     scene.Pass->SetEstimator(Pass::RADIAL);
-    scene.Pass->SetDecay(.98);
-    scene.Pass->SetSteps(steps);
+    scene.Pass->GetConstants().Decay = .98;
+    scene.Pass->GetConstants().Steps = steps;
     // The listing omits the division by the number of samples.
-    scene.Pass->SetWeight(variant == Variant::Ablated ? steps / 64.0 : 1.0);
+    scene.Pass->GetConstants().Weight = variant == Variant::Ablated ? steps / 64.0 : 1.0;
     images.push_back(scene.RenderWithPass());
     image = Amplified(scene, images.back());
   }
@@ -262,7 +263,7 @@ ScenarioResult HalfResolution(Variant variant)
   Haze scene;
   scene.AddSun(SunInView);
   scene.Pass->SetTolerance(1.0 / 64.0);
-  scene.Pass->SetSteps(variant == Variant::Ablated ? 2 : 0);
+  scene.Pass->GetConstants().Steps = variant == Variant::Ablated ? 2 : 0;
   return CompareWithRayCaster(scene);
 }
 
@@ -273,11 +274,13 @@ ScenarioResult Chained(Variant variant)
   scene.AddSun(SunInView);
   scene.Pass->SetEstimator(Pass::RADIAL);
   scene.Pass->SetTolerance(1.0 / 1024.0); // a lit fraction for every pixel
-  scene.Pass->SetSpacing(variant == Variant::Ablated ? Pass::EVEN : Pass::GEOMETRIC);
-  scene.Pass->SetSteps(64);
+  scene.Pass->GetConstants().Spacing = variant == Variant::Ablated
+    ? penumbra::ShaftSpacings::Even
+    : penumbra::ShaftSpacings::Geometric;
+  scene.Pass->GetConstants().Steps = 64;
   const std::vector<double> loop = scene.RenderWithPass();
-  scene.Pass->SetSteps(8);
-  scene.Pass->SetPasses(2);
+  scene.Pass->GetConstants().Steps = 8;
+  scene.Pass->GetConstants().Passes = 2;
   const std::vector<double> chained = scene.RenderWithPass();
   const Frame image = Amplified(scene, chained);
   return { LargestDifference(image.Values, Amplified(scene, loop).Values), image };
@@ -328,7 +331,7 @@ ScenarioResult InAViewport(Variant variant)
     if (isHalf)
     {
       scene.Renderer->SetViewport(.5, 0.0, 1.0, 1.0);
-      scene.Pass->SetMargin(variant == Variant::Ablated ? 0.0 : -1.0);
+      scene.Pass->GetConstants().Margin = variant == Variant::Ablated ? 0.0 : -1.0;
     }
     return Frame{ 96, 72, scene.RenderWithPass() };
   };

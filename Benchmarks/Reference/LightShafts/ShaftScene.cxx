@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShaftScene.h"
+#include "vtkPenumbraShaftConstants.h"
 
 #include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
@@ -160,8 +161,8 @@ void ShaftScene::Look(const Vector& from, const Vector& at, double angle)
 
 void ShaftScene::SetMedium(double scattering, double extinction)
 {
-  this->Pass->SetScattering(scattering);
-  this->Pass->SetExtinction(extinction);
+  this->Pass->GetMedium()->SetScattering(scattering);
+  this->Pass->GetMedium()->SetExtinction(extinction);
 }
 
 std::vector<double> ShaftScene::RenderWithPass()
@@ -181,18 +182,12 @@ std::vector<double> ShaftScene::Transmittance()
 
 std::vector<double> ShaftScene::RenderWithRayCaster(int steps, long long* shadowRays)
 {
-  vtkNew<vtkPenumbraMedium> medium;
-  medium->SetScattering(this->Pass->GetScattering());
-  medium->SetExtinction(this->Pass->GetExtinction());
-  medium->SetPhase(this->Pass->GetPhase());
-  medium->SetAsymmetry(this->Pass->GetAsymmetry());
-  medium->SetBounds(this->Pass->GetBounds());
   vtkNew<vtkPenumbraRayCaster> caster;
   caster->SetRenderer(this->Renderer);
   caster->SetResolution(this->Width, this->Height);
   caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
   caster->GetConstants().UniformSamples = 1;
-  caster->SetMedium(medium);
+  caster->SetMedium(this->Pass->GetMedium());
   caster->GetConstants().LightShaftSteps = steps;
   const vtkSmartPointer<vtkRenderPass> passes = this->Renderer->GetPass();
   this->Renderer->SetPass(nullptr);
@@ -212,7 +207,7 @@ std::vector<bool> ShaftScene::NearEdges(int reach)
   std::vector<double> depths = this->Transmittance();
   for (double& depth : depths)
   {
-    depth = -std::log(std::max(depth, 1e-8)) / this->Pass->GetExtinction();
+    depth = -std::log(std::max(depth, 1e-8)) / this->Pass->GetMedium()->GetExtinction();
   }
   std::vector<bool> near(depths.size(), false);
   const int side = 2 * reach + 1;

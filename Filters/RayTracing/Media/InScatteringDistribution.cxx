@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InScatteringDistribution.h"
 
-#include "Conventions/PhaseFunctions.h"
 #include "Light.h"
+#include "Medium/PhaseFunctions.h"
 #include "Shading/RayTracingConstants.h"
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Medium.h"
 
-#include "Conventions/PhaseFunctions.h"
 #include "InScatteringDistribution.h"
 #include "Light.h"
+#include "Medium/PhaseFunctions.h"
 
 #include <algorithm>
 #include <cmath>

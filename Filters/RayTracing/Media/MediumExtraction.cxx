@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MediumExtraction.h"
 
-#include "Conventions/MediumCoefficients.h"
+#include "Medium/MediumCoefficients.h"
 #include "Scene.h"
 #include "vtkPenumbraMedium.h"
 
@@ -19,20 +19,6 @@ namespace penumbra
 
 namespace
 {
-
-MediumSettings GetSettings(vtkPenumbraMedium* source)
-{
-  MediumSettings settings;
-  settings.Scattering = source->GetScattering();
-  settings.Extinction = source->GetExtinction();
-  settings.Rayleigh = source->GetRayleighScattering();
-  settings.ScaleHeight = source->GetScaleHeight();
-  settings.BaseHeight = source->GetBaseHeight();
-  std::copy_n(source->GetScatteringColor(), 3, settings.ScatteringColor.begin());
-  std::copy_n(source->GetExtinctionColor(), 3, settings.ExtinctionColor.begin());
-  std::copy_n(source->GetUp(), 3, settings.Up.begin());
-  return settings;
-}
 
 /// Converts a valid image to scene coordinates.
 std::shared_ptr<const DensityImage> ConvertDensity(vtkImageData* source, const Scene& scene)
@@ -82,7 +68,7 @@ MediumDensity ConvertDensity(
 
 SpectralMedium ConvertMedium(vtkPenumbraMedium* source, const Scene& scene, double diagonal)
 {
-  const MediumSettings settings = GetSettings(source);
+  const MediumSettings settings(source);
   if (const char* reason = FindInvalidMediumSetting(settings))
   {
     throw std::runtime_error(reason);

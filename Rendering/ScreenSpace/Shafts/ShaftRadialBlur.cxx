@@ -28,7 +28,7 @@ namespace
 
 auto AsTuple(const RadialBlurSettings& s)
 {
-  return std::tie(s.Steps, s.Passes, s.Geometric, s.Weight, s.Decay, s.Density, s.SurfaceEmission,
+  return std::tie(s.Steps, s.Passes, s.Geometric, s.Weight, s.Decay, s.PathRatio, s.SurfaceEmission,
     s.SkyIsImage, s.Block);
 }
 
@@ -190,9 +190,9 @@ bool ShaftRadialBlur::ComputeLitFractions(vtkOpenGLRenderWindow* window, const D
     coarse.SetUniforms(program);
     program->SetUniform4f("light", light.Position);
     program->SetUniformi("steps", settings.Steps);
-    SetNumber(program, "density", settings.Density);
+    SetNumber(program, "density", settings.PathRatio);
     SetNumber(program, "evenSpacing", geometric ? 0.0 : 1.0);
-    SetSpacingGrowth(program, light, coarse, settings.Density, count);
+    SetSpacingGrowth(program, light, coarse, settings.PathRatio, count);
     SetNumber(program, "firstStep", pass == 0 ? 0.5 : 0.0);
     SetNumber(program, "stepStride", stepStride);
     SetNumber(program, "decay", std::pow(settings.Decay, 64.0 * stepStride / count));

@@ -21,7 +21,7 @@ struct RadialBlurSettings
   bool Geometric = false;
   double Weight = 1.0;
   double Decay = 1.0;
-  double Density = 1.0;
+  double PathRatio = 1.0;
   double SurfaceEmission = 0.0; ///< 0: occluders are black
   bool SkyIsImage = false;      ///< else white, or black if there are emitters
   int Block = 1;                ///< pixels per side of a block that shares a lit fraction

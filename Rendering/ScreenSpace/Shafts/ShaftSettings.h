@@ -5,8 +5,8 @@
 #ifndef penumbra_ShaftSettings_h
 #define penumbra_ShaftSettings_h
 
-#include "Conventions/MediumCoefficients.h"
 #include "Frame/ScreenTransform.h"
+#include "Medium/MediumCoefficients.h"
 #include "ShaftRadialBlur.h"
 
 #include <array>

@@ -9,6 +9,7 @@
 #include "vtkPenumbraKernelEstimator.h"
 #include "vtkPenumbraLightShaftPass.h"
 #include "vtkPenumbraOcclusionEstimator.h"
+#include "vtkPenumbraShaftConstants.h"
 
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
@@ -374,16 +375,8 @@ TEST(PassSetters, RejectNaN)
   EXPECT_REJECTED(occlusion, Strength)
   EXPECT_REJECTED(occlusion, LightAwareness)
   EXPECT_REJECTED(shafts, Tolerance)
-  EXPECT_REJECTED(shafts, Scattering)
-  EXPECT_REJECTED(shafts, Extinction)
-  EXPECT_REJECTED(shafts, Asymmetry)
   EXPECT_REJECTED(shafts, Exposure)
   EXPECT_REJECTED(shafts, Thickness)
-  EXPECT_REJECTED(shafts, Weight)
-  EXPECT_REJECTED(shafts, Decay)
-  EXPECT_REJECTED(shafts, Density)
-  EXPECT_REJECTED(shafts, SurfaceEmission)
-  EXPECT_REJECTED(shafts, Margin)
   EXPECT_REJECTED(filter, DistanceSigma)
   EXPECT_REJECTED(kernel, Thickness)
 #undef EXPECT_REJECTED

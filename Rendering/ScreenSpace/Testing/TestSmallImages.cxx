@@ -5,6 +5,7 @@
 // Testing/Drivers runs these tests on every driver, also on those that take minutes for larger images.
 #include "OcclusionScene.h"
 #include "ShaftScene.h"
+#include "vtkPenumbraMedium.h"
 
 #include "vtkPenumbraBilateralFilterPass.h"
 #include "vtkPenumbraKernels.h"
@@ -192,7 +193,7 @@ TEST_F(SmallShafts, MatchTheRayCasterByShadowMaps)
 
 TEST_F(SmallShafts, MatchTheRayCasterInABox)
 {
-  this->Scene.Pass->SetBounds(-3.0, 3.0, -3.0, 3.0, 0.0, 4.0);
+  this->Scene.Pass->GetMedium()->SetBounds(-3.0, 3.0, -3.0, 3.0, 0.0, 4.0);
   this->Scene.AddSun({ 0.2, 1.0, 0.32 });
   EXPECT_LT(this->ComputeError(), 0.1);
 }
@@ -203,7 +204,7 @@ TEST_F(SmallShafts, AreFiniteByRadialBlurAndInColoredMedia)
   this->Scene.Pass->SetEstimatorToRadial();
   for (const bool colored : { false, true })
   {
-    this->Scene.Pass->SetRayleighScattering(colored ? 0.05 : 0.0);
+    this->Scene.Pass->GetMedium()->SetRayleighScattering(colored ? 0.05 : 0.0);
     this->Scene.Pass->SetAutomaticTone(colored);
     double sum = 0.0;
     for (const double light : this->Scene.RenderWithPass())

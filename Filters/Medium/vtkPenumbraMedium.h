@@ -20,8 +20,8 @@
 #define vtkPenumbraMedium_h
 
 #include "vtkObject.h"
-#include "vtkPenumbraFiltersRayTracingModule.h" // for export macro
-#include "vtkSmartPointer.h"                    // for the density image
+#include "vtkPenumbraFiltersMediumModule.h" // for export macro
+#include "vtkSmartPointer.h"                // for the density image
 
 #include <limits> // for infinite bounds
 #include <string> // for messages
@@ -29,7 +29,7 @@
 class vtkDataObject;
 class vtkImageData;
 
-class VTKPENUMBRAFILTERSRAYTRACING_EXPORT vtkPenumbraMedium : public vtkObject
+class VTKPENUMBRAFILTERSMEDIUM_EXPORT vtkPenumbraMedium : public vtkObject
 {
 public:
   static vtkPenumbraMedium* New();

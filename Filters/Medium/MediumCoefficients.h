@@ -5,6 +5,8 @@
 #ifndef penumbra_MediumCoefficients_h
 #define penumbra_MediumCoefficients_h
 
+#include "vtkPenumbraMedium.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,8 +42,7 @@ struct MediumCoefficients
   }
 };
 
-/// The settings that vtkPenumbraMedium and vtkPenumbraLightShaftPass share, except phase function
-/// and bounds.
+/// The settings of a vtkPenumbraMedium that its coefficients and its density at a height depend on.
 struct MediumSettings
 {
   double Scattering = -1.0;
@@ -52,6 +53,19 @@ struct MediumSettings
   double ScaleHeight = 0.0;
   double BaseHeight = 0.0;
   std::array<double, 3> Up{ 0.0, 1.0, 0.0 };
+
+  MediumSettings() = default;
+  explicit MediumSettings(vtkPenumbraMedium* medium)
+    : Scattering(medium->GetScattering()),
+      Extinction(medium->GetExtinction()),
+      Rayleigh(medium->GetRayleighScattering()),
+      ScaleHeight(medium->GetScaleHeight()),
+      BaseHeight(medium->GetBaseHeight())
+  {
+    std::copy_n(medium->GetScatteringColor(), 3, this->ScatteringColor.begin());
+    std::copy_n(medium->GetExtinctionColor(), 3, this->ExtinctionColor.begin());
+    std::copy_n(medium->GetUp(), 3, this->Up.begin());
+  }
 
   /// Returns true if the density decreases with the height.
   bool HasFalloff() const { return this->ScaleHeight > 0.0; }
