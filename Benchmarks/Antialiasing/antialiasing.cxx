@@ -103,17 +103,7 @@ void SumUpTiles(Benchmark& benchmark)
 
 std::vector<std::string> Circumstances(const Benchmark& benchmark)
 {
-  std::string processor = "unknown processor";
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-  {
-    if (line.compare(0, 10, "model name") == 0)
-    {
-      processor = line.substr(line.find(':') + 2);
-      break;
-    }
-  }
-  return { "machine: " + processor + ", one thread", DateLine(), VersionLine(),
+  return { "one thread",
     "peer: " + (benchmark.PovRay.empty() ? "none" : "POV-Ray, `" + benchmark.PovRay + "`"),
     "reference: exact coverage for flat shapes; " + std::to_string(benchmark.TruthSamples) + " x " +
       std::to_string(benchmark.TruthSamples) +

@@ -208,8 +208,7 @@ void PrintHead(Report& report, double tolerance)
 {
   report.Print(
     "# Constants of baked occlusion: errors and rays on fitted and on held-out meshes\n\n");
-  report.Print("- `./penumbra benchmark fit-baking`, tolerance %g; %s; %s\n", tolerance,
-    DateLine().c_str(), VersionLine().c_str());
+  report.Print("- %s\n- %s; tolerance %g\n", RunLine().c_str(), VersionLine().c_str(), tolerance);
   report.Print(
     "- fit: scans of Debian's libcgal-demo; held out: meshes of Data/; each with the default "
     "radius and without a radius\n");

@@ -156,7 +156,7 @@ int main(int argc, char** argv)
   program.Values = { { "--data", &data, true }, { "--output", &output, true } };
   program.Parts = { { "march", [&] { Fit(results, data); } } };
   return program.Run(argc, argv, results, output, [] {
-    return std::vector<std::string>{ "OSMesa, one thread; 320x240; " + DateLine(), VersionLine(),
+    return std::vector<std::string>{ "OSMesa, one thread; 320x240",
       "fitted: the generated scenes of the benchmark ambient-occlusion; held out: meshes of Data/",
       "reference: 256 rays at every 4th foreground pixel in both directions" };
   });

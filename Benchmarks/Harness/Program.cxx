@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <exception>
 
@@ -66,12 +67,19 @@ int Program::Run(int argc, char** argv, ResultTable& results, const std::string&
     std::fprintf(stderr, "%s: %s\n", program.c_str(), problem.what());
     return 2;
   }
-  results.Write(output + "/" + this->Name, this->Title, circumstances());
+  std::vector<std::string> head{ RunLine(), VersionLine() };
+  const std::vector<std::string> more = circumstances();
+  head.insert(head.end(), more.begin(), more.end());
+  results.Write(output + "/" + this->Name, this->Title, head);
   return results.GetFailed().empty() ? 0 : 1;
 }
 
-std::string DateLine()
+std::string RunLine()
 {
+  if (const char* run = std::getenv("PENUMBRA_RUN"))
+  {
+    return run;
+  }
   char date[16];
   const std::time_t now = std::time(nullptr);
   std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));

@@ -45,7 +45,8 @@ struct Program
   std::vector<Switch> Switches;
   std::vector<Part> Parts; ///< measured in this order
 
-  /// Runs the measurements and writes the table to the folder `output`, which is one of the values.
+  /// Runs the measurements and writes the table to the folder `output`, which is one of the values. Its head has
+  /// RunLine(), VersionLine() and `circumstances`.
   /// Returns the exit status: 0 if all targets are met, 1 if some are missed, 2 after invalid usage
   /// or a reported error.
   int Run(int argc, char** argv, ResultTable& results, const std::string& output,
@@ -57,8 +58,9 @@ private:
   std::pair<std::string, bool> ReadOptions(int argc, char** argv) const;
 };
 
-/// "date: ..." and "VTK ..., compiler ...", for the head of the table.
-std::string DateLine();
+/// For the head of a table: the command, commit, date and machine that `./penumbra benchmark` passes in the environment
+/// variable PENUMBRA_RUN, without it the date alone; and "VTK ..., compiler ...".
+std::string RunLine();
 std::string VersionLine();
 
 }

@@ -30,7 +30,7 @@ int main(int argc, char** argv)
   };
   vtkSMPTools::Initialize(1);
   return program.Run(argc, argv, benchmark.Results, benchmark.Output, [] {
-    return std::vector<std::string>{ "one thread, CPU seconds; " + DateLine(), VersionLine(),
+    return std::vector<std::string>{ "one thread, CPU seconds",
       "spheres: default settings, tolerance 0.005, all pixels of 1024 x 1024 more than 2 "
       "pixels from the sphere's silhouette",
       "brute force: every 16th pixel in both directions or every 400th point, a series of "

@@ -63,7 +63,7 @@ int main(int argc, char** argv)
   };
   vtkSMPTools::Initialize(1);
   return program.Run(argc, argv, benchmark.Results, benchmark.Output, [] {
-    return std::vector<std::string>{ "one thread, CPU seconds; " + DateLine(), VersionLine(),
+    return std::vector<std::string>{ "one thread, CPU seconds",
       "references: brute force with 16,384 rays per point; independent paths for emitters; closed "
       "forms "
       "for penumbrae",

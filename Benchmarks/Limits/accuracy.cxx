@@ -10,6 +10,7 @@
 #include "BruteForce/RandomLight.h"
 #include "BruteForce/StratifiedReference.h"
 #include "OrdinaryScenes.h"
+#include "Program.h"
 #include "Scenes/AccuracyScenes.h"
 
 #include "vtkCamera.h"
@@ -307,6 +308,8 @@ int main(int count, char** arguments)
     std::fprintf(stderr, "--effect: use none, occlusion, indirect, penumbrae, shafts or all\n");
     return 2;
   }
+  std::printf("# Accuracy of images in scenes that no constant was chosen with\n\n- %s\n- %s\n\n",
+    RunLine().c_str(), VersionLine().c_str());
   std::printf("Tolerance 1/%g, tiles of 16x16 pixels, %d reference samples per pixel\n\n",
     options.InverseTolerance, 2 * options.ReferenceSide * options.ReferenceSide);
   std::printf("| scene | effect | tiles above the tolerance, %% | of all tiles, above and estimate "

@@ -220,7 +220,7 @@ int main(int argc, char** argv)
   program.Switches = { { "--quick", &options.Quick } };
   program.Parts = { { "", [&] { Measure(options, results); } } };
   return program.Run(argc, argv, results, options.Output, [&] {
-    return std::vector<std::string>{ "one thread per measurement; " + DateLine(), VersionLine(),
+    return std::vector<std::string>{ "one thread per measurement",
       "plain mesh: smooth height field of as many triangles that fills the image, drawn or baked "
       "in the same run; images of families: 256x256",
       "CPU seconds; peak resident memory of a process per measurement, which includes the mesh and "

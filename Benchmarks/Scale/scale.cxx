@@ -188,7 +188,7 @@ int main(int argc, char** argv)
     { "triangles", [&] { MeasureTriangles(options); } } };
   vtkSMPTools::Initialize(2);
   return program.Run(argc, argv, options.Results, options.Output, [] {
-    return std::vector<std::string>{ "elapsed time; " + DateLine(), VersionLine(),
+    return std::vector<std::string>{ "elapsed time",
       "orbit: 36 frames of 320 x 192 pixels with KeepScene, 10 degrees apart",
       "1,000 actors: 36 images of 320 x 192 pixels with KeepScene, the camera does not move",
       "a million spheres: 1000 x 600 pixels, radius 0.5 in a cube of side 100, ambient occlusion "

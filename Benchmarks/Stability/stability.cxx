@@ -176,7 +176,7 @@ void WriteDocument(const std::string& path, const std::vector<Measured>& rows)
        "`Testing/Stability/` holds the table and runs it as tests; `./penumbra benchmark "
        "stability`\n"
        "writes this page.\n\n"
-    << "- " << rows.size() << " rows, " << DateLine() << "\n- " << VersionLine() << "\n\n";
+    << "- " << rows.size() << " rows\n- " << RunLine() << "\n- " << VersionLine() << "\n\n";
   WriteMetrics(out, rows);
   WriteOpenRows(out, rows);
   WriteWeaknesses(out);
