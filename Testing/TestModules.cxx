@@ -278,6 +278,61 @@ TEST(Folders, OfModulesHaveAReadme)
   }
 }
 
+/// The folders that the README of a room names under "May include", as paths from the root.
+Names FoldersOfReadme(const Row& row)
+{
+  static const std::regex list(R"(May include:?([^;]*?)(\.\n|\.$|;))");
+  static const std::regex folder(R"(`([\w/]+)`)");
+  const std::string text = Text(Root / row.Folder / "README.md");
+  std::smatch found;
+  Names names;
+  if (std::regex_search(text, found, list))
+  {
+    const std::string named = found[1];
+    for (std::sregex_iterator i(named.begin(), named.end(), folder), end; i != end; ++i)
+    {
+      std::string name = (*i)[1];
+      const bool isRoom = name.back() == '/';
+      name.erase(name.size() - (isRoom ? 1 : 0));
+      names.insert(
+        isRoom && name.find('/') == std::string::npos ? ModuleOf(row) + "/" + name : name);
+    }
+  }
+  return names;
+}
+
+TEST(Folders, HaveReadmesThatNameWhatTheTableAllows)
+{
+  const auto contains = [](const std::string& outer, const std::string& inner) {
+    return inner == outer || inner.rfind(outer + "/", 0) == 0;
+  };
+  int rooms = 0;
+  for (const Row& row : Table)
+  {
+    const bool isRoom = ModuleOf(row) != row.Folder && row.Folder.rfind("Command/", 0) != 0;
+    if (!isRoom || !fs::exists(Root / row.Folder / "README.md"))
+    {
+      continue;
+    }
+    ++rooms;
+    const Names named = FoldersOfReadme(row);
+    for (const std::string& folder : row.Folders)
+    {
+      EXPECT_TRUE(IsPublic(folder) ||
+        std::any_of(named.begin(), named.end(),
+          [&](const std::string& name) { return contains(name, folder); }))
+        << "the README of " << row.Folder << " lacks " << folder;
+    }
+    for (const std::string& name : named)
+    {
+      EXPECT_TRUE(std::any_of(row.Folders.begin(), row.Folders.end(),
+        [&](const std::string& folder) { return contains(name, folder); }))
+        << "the README of " << row.Folder << " names " << name;
+    }
+  }
+  EXPECT_GT(rooms, 20);
+}
+
 TEST(PublicHeaders, ShowNeitherPrivateHeadersNorLibraries)
 {
   for (const Row& row : Table)

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -22,6 +23,9 @@ using namespace penumbra_testing;
 
 /// Maximum number of files in a folder, subfolders not counted.
 constexpr int MostFiles = 25;
+/// Maximum number of lines of private headers and of sources, as in Documentation/dev/Style.md.
+constexpr int MostLinesOfHeader = 150;
+constexpr int MostLinesOfSource = 500;
 
 TEST(Folders, HoldAtMost25Files)
 {
@@ -37,6 +41,59 @@ TEST(Folders, HoldAtMost25Files)
   for (const auto& [folder, count] : counts)
   {
     EXPECT_LE(count, MostFiles) << folder;
+  }
+}
+
+/// Files that are longer than the style page asks for, with the number of lines that they have at most.
+/// A file that becomes shorter leaves the list; none is added.
+const std::map<std::string, int> LongFiles = {
+  { "Command/Options/RenderOptions.h", 152 },
+  { "Filters/Irradiance/Gathering/IrradianceConstants.h", 387 },
+  { "Filters/Irradiance/vtkPenumbraIrradianceFilter.cxx", 531 },
+  { "Filters/RayCasting/Edges/OutlineProjector.h", 155 },
+  { "Filters/RayCasting/Light/LightSite.h", 180 },
+  { "Filters/RayCasting/Light/SiteJoining.cxx", 620 },
+  { "Filters/RayCasting/RayCasterInternals.h", 200 },
+  { "Filters/RayCasting/Sampling/CameraRayTracer.h", 190 },
+  { "Filters/RayCasting/Tiles/ScreenTriangle.h", 200 },
+  { "Filters/RayTracing/Embree/RayScene.cxx", 675 },
+  { "Filters/RayTracing/Embree/RayScene.h", 175 },
+  { "Filters/RayTracing/Embree/SliverTree.h", 197 },
+  { "Filters/RayTracing/Shading/OwenSobolSequence.h", 203 },
+  { "Filters/RayTracing/Shading/RayTracingConstants.h", 204 },
+  { "Filters/RayTracing/Shading/Shading.cxx", 577 },
+  { "Filters/RayTracing/Shading/Shading.h", 172 },
+  { "Filters/Scene/Annotation/ChartPainter.cxx", 524 },
+  { "Filters/Scene/Import/SceneExtraction.cxx", 590 },
+  { "Filters/Scene/Surface.h", 296 },
+  { "Rendering/ScreenSpace/Frame/ScreenSpaceConstants.h", 170 },
+  { "Rendering/ScreenSpace/Shafts/ShaftViewState.cxx", 532 },
+};
+
+TEST(Sources, AreNotLongerThanTheStylePageAsksFor)
+{
+  for (const char* top : { "Filters", "Rendering", "Command" })
+  {
+    for (const fs::path& source : Sources(Root / top, true))
+    {
+      const std::string path = source.lexically_relative(Root).generic_string();
+      const std::string name = source.filename().string();
+      if (path.find("/Testing/") != std::string::npos ||
+        (name.rfind("vtkPenumbra", 0) == 0 && source.extension() == ".h"))
+      {
+        continue;
+      }
+      const std::string text = Text(source);
+      const auto lines = std::count(text.begin(), text.end(), '\n');
+      const int limit = source.extension() == ".h" ? MostLinesOfHeader : MostLinesOfSource;
+      const auto known = LongFiles.find(path);
+      EXPECT_LE(lines, known == LongFiles.end() ? limit : known->second) << path;
+      EXPECT_TRUE(known == LongFiles.end() || lines > limit) << path << " may leave LongFiles";
+    }
+  }
+  for (const auto& [path, lines] : LongFiles)
+  {
+    EXPECT_TRUE(fs::exists(Root / path)) << path;
   }
 }
 

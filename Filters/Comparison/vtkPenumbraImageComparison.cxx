@@ -338,13 +338,18 @@ vtkSmartPointer<vtkImageData> vtkPenumbraImageComparison::MakeDifference(double 
   return difference;
 }
 
+const char* vtkPenumbraImageComparison::GetMetricAsString()
+{
+  return GetMetricName(this->Metric);
+}
+
 void vtkPenumbraImageComparison::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "PixelLimit: " << this->PixelLimit << "\n";
   os << indent << "TilePixelLimit: " << this->TilePixelLimit << "\n";
-  os << indent << "Metric: " << GetMetricName(this->Metric) << "\n";
+  os << indent << "Metric: " << this->GetMetricAsString() << "\n";
   os << indent << "Baselines: " << this->Implementation->Baselines.size() << "\n";
   os << indent << "BestBaseline: " << this->Implementation->BestBaseline << "\n";
 }

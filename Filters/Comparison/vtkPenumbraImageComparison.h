@@ -86,6 +86,14 @@ public:
   /** Metric that selects the nearest baseline. Default: RMSE. */
   vtkSetClampMacro(Metric, int, RMSE, EXCESS);
   vtkGetMacro(Metric, int);
+  void SetMetricToRMSE() { this->SetMetric(RMSE); }
+  void SetMetricToMaximum() { this->SetMetric(MAXIMUM); }
+  void SetMetricToSSIM() { this->SetMetric(SSIM); }
+  void SetMetricToPixels() { this->SetMetric(PIXELS); }
+  void SetMetricToTileRMSE() { this->SetMetric(TILE_RMSE); }
+  void SetMetricToTilePixels() { this->SetMetric(TILE_PIXELS); }
+  void SetMetricToExcess() { this->SetMetric(EXCESS); }
+  const char* GetMetricAsString();
   ///@}
 
   /** Image to be compared. Default: none. */

@@ -399,17 +399,35 @@ void vtkPenumbraIrradianceCache::Report(vtkFieldData* statistics) const
   }
 }
 
+const char* vtkPenumbraIrradianceCache::GetSpaceAsString()
+{
+  static const char* const names[] = { "World", "Screen" };
+  return names[this->Space];
+}
+
+const char* vtkPenumbraIrradianceCache::GetRadiusRuleAsString()
+{
+  static const char* const names[] = { "NearestHit", "HarmonicMean", "OcclusionHessian" };
+  return names[this->RadiusRule];
+}
+
+const char* vtkPenumbraIrradianceCache::GetOrderAsString()
+{
+  static const char* const names[] = { "Levels", "Lazy" };
+  return names[this->Order];
+}
+
 void vtkPenumbraIrradianceCache::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "Space: " << this->Space << "\n";
-  os << indent << "RadiusRule: " << this->RadiusRule << "\n";
+  os << indent << "Space: " << this->GetSpaceAsString() << "\n";
+  os << indent << "RadiusRule: " << this->GetRadiusRuleAsString() << "\n";
   os << indent << "MinimumRadius: " << this->MinimumRadius << "\n";
   os << indent << "MaximumRadius: " << this->MaximumRadius << "\n";
   os << indent << "NormalAngle: " << this->NormalAngle << "\n";
   os << indent << "RaysPerRecord: " << this->RaysPerRecord << "\n";
-  os << indent << "Order: " << this->Order << "\n";
+  os << indent << "Order: " << this->GetOrderAsString() << "\n";
   os << indent << "Gatherer: " << this->Implementation->CustomGatherer.Get() << "\n";
   os << indent << "InitialRecords: " << this->Implementation->InitialRecords.Get() << "\n";
 }

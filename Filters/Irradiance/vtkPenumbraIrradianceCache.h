@@ -58,6 +58,9 @@ public:
    */
   vtkSetClampMacro(Space, int, WORLD, SCREEN);
   vtkGetMacro(Space, int);
+  void SetSpaceToWorld() { this->SetSpace(WORLD); }
+  void SetSpaceToScreen() { this->SetSpace(SCREEN); }
+  const char* GetSpaceAsString();
   ///@}
 
   /** Rules for the radius of a record. */
@@ -71,6 +74,10 @@ public:
   /** Rule for the radius of a record. Default: OCCLUSION_HESSIAN. */
   vtkSetClampMacro(RadiusRule, int, NEAREST_HIT, OCCLUSION_HESSIAN);
   vtkGetMacro(RadiusRule, int);
+  void SetRadiusRuleToNearestHit() { this->SetRadiusRule(NEAREST_HIT); }
+  void SetRadiusRuleToHarmonicMean() { this->SetRadiusRule(HARMONIC_MEAN); }
+  void SetRadiusRuleToOcclusionHessian() { this->SetRadiusRule(OCCLUSION_HESSIAN); }
+  const char* GetRadiusRuleAsString();
   ///@}
 
   ///@{
@@ -115,6 +122,9 @@ public:
   /** Time at which records are made. Screen space always uses LEVELS. Default: LEVELS. */
   vtkSetClampMacro(Order, int, LEVELS, LAZY);
   vtkGetMacro(Order, int);
+  void SetOrderToLevels() { this->SetOrder(LEVELS); }
+  void SetOrderToLazy() { this->SetOrder(LAZY); }
+  const char* GetOrderAsString();
   ///@}
 
   ///@{

@@ -465,10 +465,28 @@ void vtkPenumbraIrradianceFilter::Report(const Work& work, vtkIdType size)
   }
 }
 
+const char* vtkPenumbraIrradianceFilter::GetQuantityAsString()
+{
+  static const char* const names[] = { "AmbientOcclusion", "Irradiance", "DirectLight" };
+  return names[this->Quantity];
+}
+
+const char* vtkPenumbraIrradianceFilter::GetFalloffAsString()
+{
+  static const char* const names[] = { "None", "Linear", "Quadratic", "SquareRoot" };
+  return names[this->Falloff];
+}
+
+const char* vtkPenumbraIrradianceFilter::GetMethodAsString()
+{
+  static const char* const names[] = { "Automatic", "BruteForce" };
+  return names[this->Method];
+}
+
 void vtkPenumbraIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Quantity: " << this->Quantity << "\n";
+  os << indent << "Quantity: " << this->GetQuantityAsString() << "\n";
   os << indent << "Lights: " << this->Lights.size() << "\n";
   os << indent << "LightRadius: " << this->LightRadius << "\n";
   os << indent << "LightAngle: " << this->LightAngle << "\n";
@@ -478,7 +496,7 @@ void vtkPenumbraIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Bounces: " << this->Bounces << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "Falloff: " << this->Falloff << "\n";
+  os << indent << "Falloff: " << this->GetFalloffAsString() << "\n";
   os << indent << "OnCells: " << this->OnCells << "\n";
   os << indent << "ComputeNormals: " << this->ComputeNormals << "\n";
   os << indent << "OpacityArray: " << (this->OpacityArray ? this->OpacityArray : "(none)") << "\n";
@@ -486,7 +504,7 @@ void vtkPenumbraIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LineRadius: " << this->LineRadius << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";
   os << indent << "Gatherer: " << this->Gatherer.Get() << "\n";
-  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "Method: " << this->GetMethodAsString() << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "EstimatedError: " << this->EstimatedError << "\n";
 }

@@ -55,6 +55,10 @@ public:
   /** Quantity to bake. Default: AMBIENT_OCCLUSION. */
   vtkSetClampMacro(Quantity, int, AMBIENT_OCCLUSION, DIRECT_LIGHT);
   vtkGetMacro(Quantity, int);
+  void SetQuantityToAmbientOcclusion() { this->SetQuantity(AMBIENT_OCCLUSION); }
+  void SetQuantityToIrradiance() { this->SetQuantity(IRRADIANCE); }
+  void SetQuantityToDirectLight() { this->SetQuantity(DIRECT_LIGHT); }
+  const char* GetQuantityAsString();
   ///@}
 
   ///@{
@@ -83,6 +87,11 @@ public:
    */
   vtkSetClampMacro(Falloff, int, 0, 3);
   vtkGetMacro(Falloff, int);
+  void SetFalloffToNone() { this->SetFalloff(0); }
+  void SetFalloffToLinear() { this->SetFalloff(1); }
+  void SetFalloffToQuadratic() { this->SetFalloff(2); }
+  void SetFalloffToSquareRoot() { this->SetFalloff(3); }
+  const char* GetFalloffAsString();
   ///@}
 
   ///@{
@@ -201,6 +210,9 @@ public:
   /** Method of computing values. Default: AUTOMATIC. */
   vtkSetClampMacro(Method, int, AUTOMATIC, BRUTE_FORCE);
   vtkGetMacro(Method, int);
+  void SetMethodToAutomatic() { this->SetMethod(AUTOMATIC); }
+  void SetMethodToBruteForce() { this->SetMethod(BRUTE_FORCE); }
+  const char* GetMethodAsString();
   ///@}
 
   ///@{

@@ -79,6 +79,18 @@ std::string vtkPenumbraMedium::FindInvalidDensity(vtkDataObject* data)
   return std::string();
 }
 
+const char* vtkPenumbraMedium::GetPhaseAsString()
+{
+  static const char* const names[] = { "Isotropic", "Rayleigh", "HenyeyGreenstein" };
+  return names[this->Phase];
+}
+
+const char* vtkPenumbraMedium::GetSurfaceLightAsString()
+{
+  static const char* const names[] = { "Automatic", "Unattenuated", "Attenuated" };
+  return names[this->SurfaceLight];
+}
+
 void vtkPenumbraMedium::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -92,13 +104,13 @@ void vtkPenumbraMedium::PrintSelf(ostream& os, vtkIndent indent)
   print("ScatteringColor", this->ScatteringColor, 3);
   print("ExtinctionColor", this->ExtinctionColor, 3);
   os << indent << "RayleighScattering: " << this->RayleighScattering << "\n";
-  os << indent << "Phase: " << this->Phase << "\n";
+  os << indent << "Phase: " << this->GetPhaseAsString() << "\n";
   os << indent << "Asymmetry: " << this->Asymmetry << "\n";
   print("Bounds", this->Bounds, 6);
   os << indent << "ScaleHeight: " << this->ScaleHeight << "\n";
   os << indent << "BaseHeight: " << this->BaseHeight << "\n";
   print("Up", this->Up, 3);
   os << indent << "Density: " << this->Density.Get() << "\n";
-  os << indent << "SurfaceLight: " << this->SurfaceLight << "\n";
+  os << indent << "SurfaceLight: " << this->GetSurfaceLightAsString() << "\n";
   os << indent << "TranslucentSurfaces: " << this->TranslucentSurfaces << "\n";
 }

@@ -89,6 +89,10 @@ public:
   /** Phase function of Scattering, one of Phases. Default: ISOTROPIC. */
   vtkSetClampMacro(Phase, int, ISOTROPIC, HENYEY_GREENSTEIN);
   vtkGetMacro(Phase, int);
+  void SetPhaseToIsotropic() { this->SetPhase(ISOTROPIC); }
+  void SetPhaseToRayleigh() { this->SetPhase(RAYLEIGH); }
+  void SetPhaseToHenyeyGreenstein() { this->SetPhase(HENYEY_GREENSTEIN); }
+  const char* GetPhaseAsString();
   ///@}
 
   ///@{
@@ -155,6 +159,10 @@ public:
    */
   vtkSetClampMacro(SurfaceLight, int, AUTOMATIC, ATTENUATED);
   vtkGetMacro(SurfaceLight, int);
+  void SetSurfaceLightToAutomatic() { this->SetSurfaceLight(AUTOMATIC); }
+  void SetSurfaceLightToUnattenuated() { this->SetSurfaceLight(UNATTENUATED); }
+  void SetSurfaceLightToAttenuated() { this->SetSurfaceLight(ATTENUATED); }
+  const char* GetSurfaceLightAsString();
   ///@}
 
   ///@{

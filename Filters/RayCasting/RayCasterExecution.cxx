@@ -35,28 +35,6 @@ constexpr double LeastSeconds = 1e-9;
 
 using penumbra::AddStatistic;
 
-/// Adds the rays of a layer to the statistics of the image.
-void AddLayerRays(vtkFieldData* layer, vtkFieldData* statistics)
-{
-  vtkDataArray* rays = layer->GetArray("Rays/Total");
-  if (!rays)
-  {
-    return;
-  }
-  vtkDataArray* sum = statistics->GetArray("Rays/Layers");
-  const double count = rays->GetComponent(0, 0);
-  if (sum)
-  {
-    sum->SetComponent(0, 0, sum->GetComponent(0, 0) + count);
-  }
-  else
-  {
-    AddStatistic(statistics, "Rays/Layers", count);
-  }
-  vtkDataArray* total = statistics->GetArray("Rays/Total");
-  total->SetComponent(0, 0, total->GetComponent(0, 0) + count);
-}
-
 }
 
 double vtkPenumbraRayCaster::Internals::ComputeIrradianceTolerance(vtkPenumbraRayCaster* self)
@@ -295,20 +273,20 @@ void vtkPenumbraRayCaster::Internals::FinishImage(vtkPenumbraRayCaster* self, Ex
   }
   this->Report(totals, image->GetNumberOfPoints());
   this->ReportLimit(totals, tolerances, isEnded);
-  if (self->Layers)
+  double additional = 0.0;
+  if (const std::optional<double> rays = self->Layers ? this->AddLayers(self, image) : std::nullopt)
   {
-    this->AddLayers(self, image);
+    additional = *rays;
+    AddStatistic(this->Statistics, "Rays/Layers", *rays);
   }
   if (execution.UsesProvider)
   {
     this->IrradianceProvider->Report(this->Statistics);
     vtkDataArray* gathered = this->Statistics->GetArray("Rays/Gather");
-    if (gathered)
-    {
-      vtkDataArray* total = this->Statistics->GetArray("Rays/Total");
-      total->SetComponent(0, 0, total->GetComponent(0, 0) + gathered->GetComponent(0, 0));
-    }
+    additional += gathered ? gathered->GetComponent(0, 0) : 0.0;
   }
+  this->TotalRays = static_cast<double>(totals.Rays.GetTotal()) + additional;
+  AddStatistic(this->Statistics, "Rays/Total", *this->TotalRays);
   this->AddFieldData(self, image);
 }
 
@@ -374,7 +352,7 @@ bool vtkPenumbraRayCaster::Internals::Continue(vtkPenumbraRayCaster* self, vtkIm
   return true;
 }
 
-void vtkPenumbraRayCaster::Internals::AddLayer(
+std::optional<double> vtkPenumbraRayCaster::Internals::AddLayer(
   vtkPenumbraRayCaster* self, vtkRenderer* layer, bool isAbove, vtkImageData* image)
 {
   const penumbra::LayerRectangle part =
@@ -382,7 +360,7 @@ void vtkPenumbraRayCaster::Internals::AddLayer(
   if (std::min(part.Size[0], part.Size[1]) < 1 ||
     std::max(part.Size[0], part.Size[1]) > MaximumResolution)
   {
-    return;
+    return std::nullopt;
   }
   vtkNew<vtkPenumbraRayCaster> caster;
   caster->SetRenderer(layer);
@@ -400,19 +378,28 @@ void vtkPenumbraRayCaster::Internals::AddLayer(
   caster->SetBackground(!isAbove && self->Background && !layer->GetPreserveColorBuffer());
   caster->Update();
   penumbra::CompositeLayer(caster->GetOutput(), part.Low, isAbove, image);
-  AddLayerRays(caster->GetStatistics(), this->Statistics);
+  return caster->Implementation->TotalRays;
 }
 
-void vtkPenumbraRayCaster::Internals::AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image)
+std::optional<double> vtkPenumbraRayCaster::Internals::AddLayers(
+  vtkPenumbraRayCaster* self, vtkImageData* image)
 {
+  std::optional<double> sum;
+  const auto add = [&](vtkRenderer* layer, bool isAbove) {
+    if (const std::optional<double> rays = this->AddLayer(self, layer, isAbove, image))
+    {
+      sum = sum.value_or(0.0) + *rays;
+    }
+  };
   for (vtkRenderer* layer : penumbra::FindLayersBelow(this->Renderer))
   {
-    this->AddLayer(self, layer, false, image);
+    add(layer, false);
   }
   for (vtkRenderer* layer : penumbra::FindLayersAbove(this->Renderer))
   {
-    this->AddLayer(self, layer, true, image);
+    add(layer, true);
   }
+  return sum;
 }
 
 void vtkPenumbraRayCaster::Internals::ReportLimit(

@@ -67,6 +67,7 @@ vtkPenumbraRayCaster::Internals::~Internals() = default;
 void vtkPenumbraRayCaster::Internals::ResetResults()
 {
   this->Statistics->Initialize();
+  this->TotalRays.reset();
   this->EstimatedError = std::nan("");
   this->EstimatedLightError = std::nan("");
   this->PhaseSeconds.fill(0.0);

@@ -89,6 +89,7 @@ struct vtkPenumbraRayCaster::Internals
   vtkSmartPointer<vtkPenumbraEnvironment> Environment;
   penumbra::LightSizes SizedLights;
   vtkNew<vtkFieldData> Statistics;
+  std::optional<double> TotalRays; ///< of the last image; nothing: there is none
   double EstimatedError = std::nan("");
   double EstimatedLightError = std::nan("");
   double TileTolerance = 0.0;              ///< accepted error of a tile of the current image
@@ -160,8 +161,10 @@ struct vtkPenumbraRayCaster::Internals
   /// Adds what follows the rendering of an image.
   void FinishImage(vtkPenumbraRayCaster* self, Execution& execution,
     const penumbra::ImageTotals& totals, vtkImageData* image);
-  void AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image);
-  void AddLayer(vtkPenumbraRayCaster* self, vtkRenderer* layer, bool isAbove, vtkImageData* image);
+  /// Return the number of rays, or nothing if there is no layer.
+  std::optional<double> AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image);
+  std::optional<double> AddLayer(
+    vtkPenumbraRayCaster* self, vtkRenderer* layer, bool isAbove, vtkImageData* image);
   double ComputeElapsedSeconds() const;
   /// Returns the time limit of the rest of the execution, or null if there is none.
   std::unique_ptr<penumbra::WorkLimit> MakeLimit(vtkPenumbraRayCaster* self) const;

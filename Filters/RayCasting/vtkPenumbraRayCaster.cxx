@@ -296,6 +296,12 @@ bool vtkPenumbraRayCaster::RenderFor(double seconds, vtkImageData* image)
   return isComplete;
 }
 
+const char* vtkPenumbraRayCaster::GetAmbientOcclusionFalloffAsString()
+{
+  static const char* const names[] = { "None", "Linear", "Quadratic", "SquareRoot" };
+  return names[this->AmbientOcclusionFalloff];
+}
+
 void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -313,7 +319,7 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Medium: " << this->Implementation->Medium.Get() << "\n";
   os << indent << "AmbientOcclusion: " << this->GetAmbientOcclusion() << "\n";
   os << indent << "AmbientOcclusionRadius: " << this->AmbientOcclusionRadius << "\n";
-  os << indent << "AmbientOcclusionFalloff: " << this->AmbientOcclusionFalloff << "\n";
+  os << indent << "AmbientOcclusionFalloff: " << this->GetAmbientOcclusionFalloffAsString() << "\n";
   os << indent << "AmbientOcclusionStrength: " << this->AmbientOcclusionStrength << "\n";
   os << indent << "IndirectLight: " << this->IndirectLight << "\n";
   os << indent << "EnvironmentColor: " << this->EnvironmentColor[0] << " "

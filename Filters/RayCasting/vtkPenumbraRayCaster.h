@@ -180,6 +180,11 @@ public:
    */
   vtkSetClampMacro(AmbientOcclusionFalloff, int, 0, 3);
   vtkGetMacro(AmbientOcclusionFalloff, int);
+  void SetAmbientOcclusionFalloffToNone() { this->SetAmbientOcclusionFalloff(0); }
+  void SetAmbientOcclusionFalloffToLinear() { this->SetAmbientOcclusionFalloff(1); }
+  void SetAmbientOcclusionFalloffToQuadratic() { this->SetAmbientOcclusionFalloff(2); }
+  void SetAmbientOcclusionFalloffToSquareRoot() { this->SetAmbientOcclusionFalloff(3); }
+  const char* GetAmbientOcclusionFalloffAsString();
   ///@}
 
   ///@{

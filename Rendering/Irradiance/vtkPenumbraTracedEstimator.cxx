@@ -4,6 +4,7 @@
 
 #include "Frame/DelegateImage.h"
 #include "Frame/EyeDepth.h"
+#include "Frame/RendererMap.h"
 #include "Import/SceneModificationTime.h"
 #include "Scene.h"
 #include "Traced/JoinedOcclusion.h"
@@ -177,7 +178,7 @@ struct vtkPenumbraTracedEstimator::RendererState
 
 struct vtkPenumbraTracedEstimator::Internals
 {
-  std::map<vtkRenderer*, RendererState> Renderers;
+  penumbra::RendererMap<RendererState> Renderers;
   std::vector<float> Means;
   std::string Warned; ///< last reported prop that rays do not hit
 };
@@ -273,7 +274,7 @@ bool vtkPenumbraTracedEstimator::RefineBetweenFrames(vtkRenderer* renderer, doub
 {
   bool hasNewImage = false;
   std::vector<ViewState*> unfinished;
-  for (auto& [depth, view] : this->Implementation->Renderers[renderer].Views)
+  for (auto& [depth, view] : this->Implementation->Renderers.Get(renderer).Views)
   {
     if (view.Joined)
     {
@@ -291,7 +292,7 @@ bool vtkPenumbraTracedEstimator::RefineBetweenFrames(vtkRenderer* renderer, doub
 vtkPenumbraTracedEstimator::RendererState& vtkPenumbraTracedEstimator::UpdateRenderer(
   const Request& request)
 {
-  RendererState& state = this->Implementation->Renderers[request.Renderer];
+  RendererState& state = this->Implementation->Renderers.Get(request.Renderer);
   this->NumberOfTrees += state.UpdateGeometry(request.Renderer, request.Radius);
   const std::string& missing = state.Geometry.GetMissing();
   if (!missing.empty() && missing != this->Implementation->Warned)
@@ -306,7 +307,7 @@ vtkPenumbraTracedEstimator::RendererState& vtkPenumbraTracedEstimator::UpdateRen
 bool vtkPenumbraTracedEstimator::CanEstimate(vtkRenderer* renderer)
 try
 {
-  RendererState& state = this->Implementation->Renderers[renderer];
+  RendererState& state = this->Implementation->Renderers.Get(renderer);
   this->NumberOfTrees += state.UpdateGeometry(renderer, VTK_DOUBLE_MAX);
   return state.Geometry.HasAllOccluders();
 }
@@ -322,7 +323,7 @@ vtkMTimeType vtkPenumbraTracedEstimator::GetSceneMTime(vtkRenderer* renderer)
 
 void vtkPenumbraTracedEstimator::ReleaseGraphicsResources(vtkWindow*)
 {
-  this->Implementation->Renderers.clear();
+  this->Implementation->Renderers.Clear();
 }
 
 void vtkPenumbraTracedEstimator::PrintSelf(ostream& os, vtkIndent indent)

@@ -3,6 +3,7 @@
 #include "vtkPenumbraLightShaftPass.h"
 
 #include "Chain/PassSlots.h"
+#include "Frame/RendererMap.h"
 #include "Frame/ScreenSpaceConstants.h"
 #include "Medium/MediumCoefficients.h"
 #include "Shafts/ShaftViewState.h"
@@ -27,7 +28,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -89,7 +89,7 @@ double ComputeMeanThickness(const vtkRenderState* state, double diagonal)
 
 struct vtkPenumbraLightShaftPass::Internals
 {
-  std::map<vtkRenderer*, penumbra::ShaftViewState> Views;
+  penumbra::RendererMap<penumbra::ShaftViewState> Views;
   penumbra::ShaftViewState* Last = nullptr;
   std::vector<vtkSmartPointer<vtkLight>> Lights;
   std::vector<vtkSmartPointer<vtkProp>> Emitters;
@@ -341,7 +341,7 @@ bool vtkPenumbraLightShaftPass::RenderEffect(const vtkRenderState* state)
     settings.Margin[0] = settings.Margin[1] =
       static_cast<int>(std::ceil(percent / 100.0 * std::max(size[0], size[1])));
   }
-  internals.Last = &internals.Views[renderer];
+  internals.Last = &internals.Views.Get(renderer);
   const bool mapped = std::any_of(lights.begin(), lights.end(),
     [](const penumbra::ShaftLight& light) { return light.HasShadowMap; });
   internals.Steps = mapped ? settings.MapSteps : settings.Steps;
@@ -360,11 +360,9 @@ void vtkPenumbraLightShaftPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
   Internals& internals = *this->Implementation;
-  for (auto& [renderer, view] : internals.Views)
-  {
-    view.ReleaseGraphicsResources(window);
-  }
-  internals.Views.clear();
+  internals.Views.VisitAll(
+    [&](penumbra::ShaftViewState& view) { view.ReleaseGraphicsResources(window); });
+  internals.Views.Clear();
   internals.Last = nullptr;
 }
 

@@ -4,6 +4,7 @@
 
 #include "Chain/PassSlots.h"
 #include "Chain/StaticViewRefiner.h"
+#include "Frame/RendererMap.h"
 #include "Frame/ScopedCamera.h"
 #include "Frame/ScreenSpaceConstants.h"
 #include "Occlusion/OcclusionViewState.h"
@@ -26,7 +27,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -92,7 +92,7 @@ struct vtkPenumbraTemporalSSAOPass::Internals
     vtkMTimeType HiddenTime = 0; ///< GetSceneMTime() of the estimator
     int Margin = 0;              ///< pixels
   };
-  std::map<std::pair<vtkRenderer*, int>, RendererState> Renderers; ///< one per eye in stereo
+  penumbra::RendererMap<RendererState> Renderers; ///< one per eye in stereo
   penumbra::OcclusionViewState* Last = nullptr;
   vtkSmartPointer<vtkPenumbraOcclusionEstimator> Estimator;
   vtkSmartPointer<vtkPenumbraOcclusionEstimator> NamedEstimator; ///< registered by another module
@@ -115,10 +115,9 @@ struct vtkPenumbraTemporalSSAOPass::Internals
   /// Returns whether a renderer has converged; in stereo, both of its eyes.
   bool IsConverged(vtkRenderer* renderer, int eye)
   {
-    const auto state = this->Renderers.find({ renderer, eye });
-    const auto other = this->Renderers.find({ renderer, eye > 0 ? 3 - eye : 0 });
-    return state != this->Renderers.end() && state->second.View.IsConverged() &&
-      (other == this->Renderers.end() || other->second.View.IsConverged());
+    const RendererState* const state = this->Renderers.Find(renderer, eye);
+    const RendererState* const other = this->Renderers.Find(renderer, eye > 0 ? 3 - eye : 0);
+    return state && state->View.IsConverged() && (!other || other->View.IsConverged());
   }
 
   /// Returns a text that differs between estimators, and between settings of an estimator.
@@ -255,7 +254,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   // After compositing of several ranks it is unknown which props moved.
   const PropTimes props = FindPropTimes(renderer);
   const int eye = window->GetStereoRender() ? 1 + renderer->GetActiveCamera()->GetLeftEye() : 0;
-  Internals::RendererState& rendererState = internals.Renderers[{ renderer, eye }];
+  Internals::RendererState& rendererState = internals.Renderers.Get(renderer, eye);
   settings.SceneChanged = !this->OpaqueOnly || props != rendererState.Props;
   settings.PropsChanged = !HaveSameProps(props, rendererState.Props);
   vtkPenumbraOcclusionEstimator* estimator =
@@ -344,11 +343,9 @@ void vtkPenumbraTemporalSSAOPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
   this->Implementation->Refiner.Stop();
   Internals& internals = *this->Implementation;
-  for (auto& [rendererAndEye, rendererState] : internals.Renderers)
-  {
-    rendererState.View.ReleaseGraphicsResources(window);
-  }
-  internals.Renderers.clear();
+  internals.Renderers.VisitAll(
+    [&](Internals::RendererState& state) { state.View.ReleaseGraphicsResources(window); });
+  internals.Renderers.Clear();
   internals.Last = nullptr;
   internals.Used = nullptr;
   internals.Kernels->ReleaseGraphicsResources(window);

@@ -18,6 +18,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPenumbraEnvironment.h"
 #include "vtkPenumbraGatherer.h"
+#include "vtkPenumbraIrradianceProvider.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -400,4 +401,17 @@ TEST(vtkPenumbraIrradianceFilter, RejectsNaNSettings)
     EXPECT_FALSE(
       vtkPolyData::SafeDownCast(filter->GetOutput())->GetPointData()->HasArray("AmbientOcclusion"));
   }
+}
+
+TEST(vtkPenumbraIrradianceFilter, NamesItsEnumerators)
+{
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  EXPECT_STREQ(filter->GetQuantityAsString(), "AmbientOcclusion");
+  filter->SetQuantityToDirectLight();
+  EXPECT_EQ(filter->GetQuantity(), vtkPenumbraIrradianceFilter::DIRECT_LIGHT);
+  EXPECT_STREQ(filter->GetQuantityAsString(), "DirectLight");
+  filter->SetFalloffToQuadratic();
+  EXPECT_EQ(filter->GetFalloff(), vtkPenumbraIrradianceProvider::QUADRATIC);
+  filter->SetMethodToBruteForce();
+  EXPECT_STREQ(filter->GetMethodAsString(), "BruteForce");
 }

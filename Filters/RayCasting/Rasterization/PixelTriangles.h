@@ -68,6 +68,13 @@ public:
   }
   LayerPolygon Clip(std::uint32_t triangle) const;
 
+  /// Returns the depth along the view axis of a relative key.
+  float ComputeDepth(float key) const
+  {
+    const auto sum = static_cast<float>(this->ReferenceKey + static_cast<double>(key));
+    return this->IsParallel ? -sum : 1.f / sum;
+  }
+
   /// Returns the key of the nearest triangle, to which all others are relative.
   double GetReferenceKey() const { return this->ReferenceKey; }
 

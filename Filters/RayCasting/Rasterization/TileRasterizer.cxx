@@ -33,11 +33,4 @@ void TileRasterizer::Rasterize(const SamplePoints& points, std::vector<std::uint
   this->Nearest.Find(this->Pixel, points, visible);
 }
 
-float TileRasterizer::ComputeDepth(const LayerCandidate& candidate) const
-{
-  const auto key =
-    static_cast<float>(this->Pixel.GetReferenceKey() + static_cast<double>(candidate.Key));
-  return this->Tile.GetRays().GetScene().ViewCamera.Parallel ? -key : 1.f / key;
-}
-
 }

@@ -59,7 +59,10 @@ public:
   LayerPolygon ClipLayer(std::uint32_t layer) const { return this->Pixel.Clip(layer); }
 
   /// Returns the depth of a candidate along the view axis.
-  float ComputeDepth(const LayerCandidate& candidate) const;
+  float ComputeDepth(const LayerCandidate& candidate) const
+  {
+    return this->Pixel.ComputeDepth(candidate.Key);
+  }
 
   /// See PixelLayers::VisitPoints().
   template <typename Visit>

@@ -377,3 +377,20 @@ TEST_F(MediumTest, IsIgnoredWithOneWarningIfInvalid)
   EXPECT_EQ(plain, this->Render());
   EXPECT_EQ(this->Warnings, 1);
 }
+
+TEST(MediumSettings, NameTheirEnumerators)
+{
+  vtkNew<vtkPenumbraMedium> medium;
+  EXPECT_STREQ(medium->GetPhaseAsString(), "Isotropic");
+  medium->SetPhaseToHenyeyGreenstein();
+  EXPECT_EQ(medium->GetPhase(), vtkPenumbraMedium::HENYEY_GREENSTEIN);
+  EXPECT_STREQ(medium->GetPhaseAsString(), "HenyeyGreenstein");
+  medium->SetSurfaceLightToUnattenuated();
+  EXPECT_EQ(medium->GetSurfaceLight(), vtkPenumbraMedium::UNATTENUATED);
+  EXPECT_STREQ(medium->GetSurfaceLightAsString(), "Unattenuated");
+  vtkNew<vtkPenumbraRayCaster> caster;
+  EXPECT_STREQ(caster->GetAmbientOcclusionFalloffAsString(), "None");
+  caster->SetAmbientOcclusionFalloffToSquareRoot();
+  EXPECT_EQ(caster->GetAmbientOcclusionFalloff(), vtkPenumbraIrradianceProvider::SQUARE_ROOT);
+  EXPECT_STREQ(caster->GetAmbientOcclusionFalloffAsString(), "SquareRoot");
+}

@@ -9,7 +9,6 @@
 #include "Scene.h"
 #include "SceneExtractionActors.h"
 #include "SceneExtractionAxes.h"
-#include "SceneExtractionGlyphs.h"
 #include "SceneExtractionProps.h"
 #include "SceneExtractionSky.h"
 #include "SceneExtractionSplats.h"
@@ -17,6 +16,7 @@
 #include "SceneModificationTime.h"
 #include "Surface.h"
 #include "Tessellation/MemoryEstimate.h"
+#include "Tessellation/SceneExtractionInstances.h"
 #include "Tessellation/SurfaceSlopes.h"
 
 #include "vtkBoundingBox.h"

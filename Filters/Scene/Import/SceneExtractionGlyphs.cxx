@@ -3,12 +3,7 @@
 #include "SceneExtractionGlyphs.h"
 
 #include "Execution/AvailableMemory.h"
-#include "Scene.h"
 #include "SceneExtractionColors.h"
-#include "Surface.h"
-#include "Tessellation/SceneExtractionInstances.h"
-#include "Tessellation/SceneExtractionLines.h"
-#include "Tessellation/SceneExtractionSurfaces.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataSet.h"
@@ -20,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace penumbra
 {
@@ -164,118 +158,6 @@ private:
   vtkDataArray* Orientation;
 };
 
-template <typename T>
-void Append(std::vector<T>& to, const std::vector<T>& from)
-{
-  to.insert(to.end(), from.begin(), from.end());
-}
-
-/// Returns true if the surfaces can be merged when their colors are per cell.
-bool AreMergeable(const Surface& a, const Surface& b)
-{
-  return a.IsRound() == b.IsRound() && a.Segments.empty() == b.Segments.empty() &&
-    a.IsLineOrPoint == b.IsLineOrPoint && a.HidesLines == b.HidesLines &&
-    a.EdgeWidth == b.EdgeWidth && a.NormalRule == b.NormalRule &&
-    a.Normals.empty() == b.Normals.empty() &&
-    a.TriangleNormals.empty() == b.TriangleNormals.empty() && a.LitTexture == b.LitTexture &&
-    a.BaseColorTexture == b.BaseColorTexture && a.DetailTextures == b.DetailTextures &&
-    a.Tangents.empty() == b.Tangents.empty() && a.Front.Lighting == b.Front.Lighting &&
-    a.Front.Ambient == b.Front.Ambient && a.Front.Diffuse == b.Front.Diffuse;
-}
-
-/// Appends one instance to `into`, with the color of its material and the cell id `id`.
-void MergeInstance(Surface&& instance, std::uint32_t id, Surface& into)
-{
-  const glm::u8vec4 color(
-    glm::vec4(instance.Front.DiffuseColor, instance.Front.Opacity) * 255.f + 0.5f);
-  instance.Front.Opacity = 1.f;
-  instance.CellColors.assign(instance.GetNumberOfPrimitives(), color);
-  instance.CellIds.assign(instance.GetNumberOfPrimitives(), id);
-  if (instance.Radii.size() == 1)
-  {
-    instance.Radii.resize(instance.Positions.size(), instance.Radii.front());
-  }
-  if (into.Positions.empty())
-  {
-    into = std::move(instance);
-    return;
-  }
-  const auto first = static_cast<std::uint32_t>(into.Positions.size());
-  for (const glm::uvec3& triangle : instance.Triangles)
-  {
-    into.Triangles.push_back(triangle + first);
-  }
-  for (const glm::uvec2& segment : instance.Segments)
-  {
-    into.Segments.push_back(segment + first);
-  }
-  Append(into.Radii, instance.Radii);
-  Append(into.Positions, instance.Positions);
-  Append(into.CellIds, instance.CellIds);
-  Append(into.CellColors, instance.CellColors);
-  Append(into.Normals, instance.Normals);
-  Append(into.Tangents, instance.Tangents);
-  Append(into.TriangleNormals, instance.TriangleNormals);
-  Append(into.TextureCoordinates, instance.TextureCoordinates);
-}
-
-/// Adds the polygons of a wireframe as an invisible surface that hides lines. As in VTK,
-/// translucent wireframes keep their hidden lines. Returns true if a surface was added.
-bool AddLineMask(const DrawItem& item, Scene& scene)
-{
-  const std::size_t before = scene.Surfaces.size();
-  AddSurface(item, scene);
-  if (scene.Surfaces.size() == before)
-  {
-    return false;
-  }
-  Surface& mask = scene.Surfaces.back();
-  if (mask.IsTranslucent())
-  {
-    scene.Surfaces.pop_back();
-    return false;
-  }
-  mask.HidesLines = true;
-  mask.IsLineOrPoint = true; // casts no shadow
-  mask.HasBackMaterial = false;
-  mask.Front.Lighting = false;
-  mask.Front.Opacity = 0.f;
-  mask.PointColors.clear();
-  mask.CellColors.clear();
-  mask.ColorTexture = mask.LitTexture = mask.BaseColorTexture = nullptr;
-  mask.DetailTextures = nullptr;
-  return true;
-}
-
-void AddSurfaceAndLines(const DrawItem& item, double pixelsPerPoint, Scene& scene)
-{
-  const std::size_t before = scene.Surfaces.size();
-  if (item.Property->GetRepresentation() == VTK_SURFACE)
-  {
-    AddSurface(item, scene);
-  }
-  const bool hidesLines = item.RemoveHiddenLines && AddLineMask(item, scene);
-  AddLinesAndPoints(item, pixelsPerPoint, scene);
-  for (std::size_t i = before; i < scene.Surfaces.size(); ++i)
-  {
-    Surface& surface = scene.Surfaces[i];
-    surface.ForceOpaque = item.ForceOpaque;
-    surface.HasHiddenLines = hidesLines && !surface.HidesLines;
-  }
-}
-
-/// Returns the surfaces of the shape of a glyph in coordinates of its own, or none if its parts are
-/// not only triangles.
-std::vector<Surface> MakeShape(const DrawItem& item, double pixelsPerPoint, Scene& shape)
-{
-  DrawItem single = item;
-  single.ToWorld = glm::dmat4(1.0);
-  single.Colors.Mode = Coloring::Modes::Single;
-  single.ClippingPlanes.clear();
-  AddSurfaceAndLines(single, pixelsPerPoint, shape);
-  return shape.Surfaces.size() == 1 ? std::move(shape.Surfaces) : std::vector<Surface>();
-}
-
 }
 
 std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data,
@@ -341,61 +223,6 @@ std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data,
     instances.Colors.push_back(mapped);
   }
   return shapes;
-}
-
-void AddDrawItem(const DrawItem& item, double pixelsPerPoint, Scene& scene)
-{
-  if (!item.GlyphInstances)
-  {
-    AddSurfaceAndLines(item, pixelsPerPoint, scene);
-    return;
-  }
-  // An instance may consist of several surfaces (surface, lines, points, edges). Each merged
-  // surface collects the matching ones of all instances.
-  std::vector<Surface> merged;
-  Scene instanceScene;
-  instanceScene.Origin = scene.Origin;
-  instanceScene.Scale = scene.Scale;
-  instanceScene.ViewCamera = scene.ViewCamera;
-  DrawItem instance = item;
-  instance.Colors.Mode = Coloring::Modes::Single;
-  std::vector<std::size_t> copied(item.GlyphInstances->Transforms.size());
-  std::iota(copied.begin(), copied.end(), std::size_t(0));
-  if (MayHaveInstances(item))
-  {
-    Scene shape;
-    for (Surface& surface : MakeShape(item, pixelsPerPoint, shape))
-    {
-      copied = AddInstances(item, std::move(surface), scene);
-    }
-    instanceScene.Warnings = std::move(shape.Warnings);
-  }
-  for (const std::size_t i : copied)
-  {
-    instance.ToWorld = glm::dmat4(item.GlyphInstances->Transforms[i]);
-    instance.Colors.SingleColor = item.GlyphInstances->Colors[i];
-    AddSurfaceAndLines(instance, pixelsPerPoint, instanceScene);
-    for (Surface& surface : instanceScene.Surfaces)
-    {
-      const auto match = std::find_if(merged.begin(), merged.end(),
-        [&](const Surface& other) { return AreMergeable(surface, other); });
-      Surface& into = match == merged.end() ? merged.emplace_back() : *match;
-      MergeInstance(std::move(surface), item.GlyphInstances->Ids[i], into);
-    }
-    instanceScene.Surfaces.clear();
-  }
-  for (Surface& surface : merged)
-  {
-    surface.Positions.reserve(surface.Positions.size() + 1);
-    surface.Triangles.reserve(surface.Triangles.size() + 1);
-    surface.ScalarColoring = item.GlyphInstances->ByScalars;
-    scene.Surfaces.push_back(std::move(surface));
-  }
-  // All instances share the shape and cause the same warnings.
-  if (!instanceScene.Warnings.empty())
-  {
-    scene.Warnings.push_back(instanceScene.Warnings.front());
-  }
 }
 
 }

@@ -24,9 +24,5 @@ class ScalarMapper;
 std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data,
   const DrawItem& prototype, ScalarMapper* scalars, std::vector<std::string>& warnings);
 
-/// Adds the surfaces, lines and points of `item` to `scene`, for each of its instances. Compatible
-/// surfaces of instances are merged into one, whose CellIds are the ids of the glyphs' points.
-void AddDrawItem(const DrawItem& item, double pixelsPerPoint, Scene& scene);
-
 }
 #endif

@@ -3,12 +3,16 @@
 //
 // The images of the occlusion pass for stereo types and for transforms of the camera, compared with
 // windows without the pass and with monoscopic images.
+#include "Frame/RendererMap.h"
 #include "OcclusionScene.h"
 
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkTransform.h"
 
 #include <gtest/gtest.h>
@@ -17,6 +21,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <memory>
 
 namespace
 {
@@ -204,6 +209,23 @@ TEST(OcclusionViews, OccludeByWorldLengthsUnderTransformsOfTheCamera)
       EXPECT_NEAR(errorWith(transform), expected, 0.007) << kernel;
     }
   }
+}
+
+TEST(RendererMap, DropsTheStateOfDeletedRenderers)
+{
+  penumbra::RendererMap<std::shared_ptr<int>> states;
+  vtkNew<vtkRenderer> kept;
+  states.Get(kept) = std::make_shared<int>(1);
+  auto deleted = vtkSmartPointer<vtkRenderer>::New();
+  vtkRenderer* const address = deleted;
+  states.Get(deleted, 2) = std::make_shared<int>(2);
+  EXPECT_EQ(states.Find(deleted), nullptr); // the other eye
+  const std::weak_ptr<int> state = *states.Find(deleted, 2);
+  EXPECT_FALSE(state.expired());
+  deleted = nullptr;
+  EXPECT_EQ(states.Find(address, 2), nullptr); // also for a new renderer at this address
+  EXPECT_EQ(*states.Get(kept), 1);
+  EXPECT_TRUE(state.expired());
 }
 
 }
