@@ -178,9 +178,9 @@ inline const std::vector<Row> Table = {
     { "OpenGL", "GLM" } },
 
   { "Rendering/ParaView",
-    { "Filters/Medium", "Filters/RayTracing", "Filters/RayCasting", "Filters/Irradiance",
-      "Rendering/ScreenSpace/Frame", "Rendering/ScreenSpace/Chain", "Rendering/ScreenSpace",
-      "Rendering/Irradiance" },
+    { "Filters/Medium", "Filters/RayTracing", "Filters/RayCasting", "Filters/Parallel",
+      "Filters/Irradiance", "Rendering/ScreenSpace/Frame", "Rendering/ScreenSpace/Chain",
+      "Rendering/ScreenSpace", "Rendering/Irradiance" },
     { "OpenGL", "ParaView" } },
 
   { "Testing/Comparison", { "Filters/Comparison" }, { "GoogleTest" } },

@@ -37,7 +37,12 @@ std::vector<std::uint32_t> CountByTile(const Scene& scene)
   return counts;
 }
 
-ImageDivision DivideImage(const Scene& scene, RankGroup& ranks)
+/// Number of rectangles for each rank. More follow the data better and have longer sides, along which
+/// primitives and rays are needed twice; light effects join the pixels of wide margins.
+constexpr int PartsPerRank = 4;
+constexpr int PartsPerRankWithLight = 1;
+
+ImageDivision DivideImage(const Scene& scene, bool hasLight, RankGroup& ranks)
 {
   ByteWriter own;
   own.AddArray(CountByTile(scene));
@@ -47,7 +52,8 @@ ImageDivision DivideImage(const Scene& scene, RankGroup& ranks)
     ByteReader reader(message);
     counts.push_back(reader.GetArray<std::uint32_t>());
   }
-  return { { scene.ViewCamera.Width, scene.ViewCamera.Height }, counts };
+  return { { scene.ViewCamera.Width, scene.ViewCamera.Height }, counts,
+    hasLight ? PartsPerRankWithLight : PartsPerRank };
 }
 
 /// Returns the units of a surface that each rank needs to render its part of the image.
@@ -231,7 +237,7 @@ void DistributedScene::Exchange(Scene& scene, bool needsAll)
   {
     this->Counts.WholePrimitives += static_cast<long long>(surface.Count);
   }
-  const ImageDivision division = DivideImage(scene, this->Ranks);
+  const ImageDivision division = DivideImage(scene, needsAll, this->Ranks);
   this->Regions = division.GetRegions(this->Ranks.GetRank());
   long long bytes = 0;
   SurfaceMessages messages(this->Ranks.GetCount());

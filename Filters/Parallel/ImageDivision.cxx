@@ -12,15 +12,13 @@ namespace
 
 /// Work of an empty tile, in primitives: its pixels are traced as well.
 constexpr double WorkOfPixels = 256.0;
-/// Number of rectangles for each rank. More follow the data better and have longer sides, along which
-/// primitives and rays are needed twice.
-constexpr int PartsPerRank = 4;
 /// Factor by which the work of a rank may exceed the mean.
 constexpr double Imbalance = 1.1;
 
 }
 
-ImageDivision::ImageDivision(glm::ivec2 size, const std::vector<std::vector<std::uint32_t>>& counts)
+ImageDivision::ImageDivision(
+  glm::ivec2 size, const std::vector<std::vector<std::uint32_t>>& counts, int partsPerRank)
   : Size(size),
     Tiles(CountTiles(size)),
     Owners(static_cast<std::size_t>(Tiles.x) * Tiles.y, 0)
@@ -34,7 +32,7 @@ ImageDivision::ImageDivision(glm::ivec2 size, const std::vector<std::vector<std:
     }
   }
   const int ranks = static_cast<int>(counts.size());
-  this->Split(glm::ivec2(0), this->Tiles, ranks == 1 ? 1 : PartsPerRank * ranks, work);
+  this->Split(glm::ivec2(0), this->Tiles, ranks == 1 ? 1 : partsPerRank * ranks, work);
   this->Assign(counts, work);
   for (const Part& part : this->Parts)
   {

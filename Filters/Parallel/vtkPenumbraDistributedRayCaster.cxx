@@ -10,6 +10,8 @@
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 
+#include <string>
+
 vtkStandardNewMacro(vtkPenumbraDistributedRayCaster);
 
 vtkPenumbraDistributedRayCaster::vtkPenumbraDistributedRayCaster()
@@ -38,8 +40,13 @@ int vtkPenumbraDistributedRayCaster::RequestData(
   {
     return this->Superclass::RequestData(request, inputs, outputs);
   }
-  penumbra::DistributedScene scene(
-    this->Controller, [this](const std::string& text) { vtkWarningMacro(<< text); });
+  penumbra::DistributedScene scene(this->Controller, [this](const std::string& text) {
+    if (!this->HasWarned)
+    {
+      vtkWarningMacro(<< text);
+      this->HasWarned = true;
+    }
+  });
   this->SetDistribution(&scene);
   const int result = this->Superclass::RequestData(request, inputs, outputs);
   this->SetDistribution(nullptr);

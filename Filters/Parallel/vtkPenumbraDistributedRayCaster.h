@@ -58,6 +58,7 @@ private:
   void operator=(const vtkPenumbraDistributedRayCaster&) = delete;
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
+  bool HasWarned = false; ///< that all surfaces are gathered
 };
 
 #endif

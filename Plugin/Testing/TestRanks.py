@@ -14,7 +14,8 @@ from vtkmodules.vtkIOXML import vtkXMLPImageDataReader
 
 
 # "gathered": one rank collects all data and renders with occlusion; no image is composited.
-EFFECTS = ("none", "occlusion", "shafts", "gathered")
+# "rays": all ranks cast the rays of Still By Rays together.
+EFFECTS = ("none", "occlusion", "shafts", "gathered", "rays")
 
 
 def is_first():
@@ -91,6 +92,7 @@ def draw(folder):
         view.AmbientOcclusion = effect in ("occlusion", "gathered")
         view.RemoteRenderThreshold = 1000 if effect == "gathered" else 0
         view.LightShafts = effect == "shafts"
+        view.StillByRays = effect == "rays"
         view.CameraPosition = [40, -50, 40]
         SaveScreenshot(os.path.join(folder, effect + ".png"), view)
         begin = time.monotonic()
@@ -188,6 +190,8 @@ class Ranks(unittest.TestCase):
         for ranks in (2, 4):
             many = results(ranks, "draw", images)
             for effect in EFFECTS:
+                if effect == "rays":  # not as usual
+                    self.assertGreater(numpy.abs(many[effect] - many["none"]).max(), 32)
                 difference = numpy.abs(many[effect] - one[effect]).max(axis=2)
                 print(f"{effect}: {(difference > 0).mean():.2%} of pixels differ, "
                       f"{(difference > 8).mean():.2%} by more than 8/255, at most {difference.max()}", flush=True)

@@ -6,6 +6,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -38,7 +39,15 @@ bool RendersAllProps(vtkRenderPass* delegate)
 
 void RenderViewPass::Render(const vtkRenderState* state)
 {
-  if (this->UseRays && this->RenderRayCast(state))
+  if (this->HasDistributedRays)
+  {
+    // Other ranks wait for this one to composite their images, which the ray-cast image replaces.
+    this->DelegatePass->Render(state);
+    this->NumberOfRenderedProps = this->DelegatePass->GetNumberOfRenderedProps();
+    this->DrawRayCast(state);
+    return;
+  }
+  if (this->UseRays && this->DrawRayCast(state))
   {
     return;
   }
@@ -74,14 +83,36 @@ vtkRenderPass* RenderViewPass::ConnectEffects(vtkRenderPass* delegate, bool opaq
   return pass;
 }
 
-bool RenderViewPass::RenderRayCast(const vtkRenderState* state)
+RendererBackground::RendererBackground(vtkRenderer* renderer)
+  : IsGradient(renderer->GetGradientBackground()),
+    IsTextured(renderer->GetTexturedBackground())
 {
-  vtkRenderer* renderer = state->GetRenderer();
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const int* tiles = window->GetTileScale();
-  if (renderer->GetSelector() || tiles[0] > 1 || tiles[1] > 1)
+  renderer->GetBackground(this->First);
+  renderer->GetBackground2(this->Second);
+}
+
+void RendererBackground::Apply(vtkRenderer* renderer) const
+{
+  renderer->SetBackground(this->First[0], this->First[1], this->First[2]);
+  renderer->SetBackground2(this->Second[0], this->Second[1], this->Second[2]);
+  renderer->SetGradientBackground(this->IsGradient);
+  renderer->SetTexturedBackground(this->IsTextured);
+}
+
+void RenderViewPass::CastRays(vtkRenderer* renderer)
+{
+  this->RayImage = nullptr;
+  const int* tiles = renderer->GetRenderWindow()->GetTileScale();
+  int isPossible = !renderer->GetSelector() && tiles[0] == 1 && tiles[1] == 1;
+  vtkMultiProcessController* controller =
+    this->HasDistributedRays ? vtkMultiProcessController::GetGlobalController() : nullptr;
+  if (controller)
   {
-    return false;
+    controller->Broadcast(&isPossible, 1, 0);
+  }
+  if (!isPossible)
+  {
+    return;
   }
   int size[2];
   int origin[2];
@@ -90,14 +121,40 @@ bool RenderViewPass::RenderRayCast(const vtkRenderState* state)
   // renderer is released afterwards to avoid a reference cycle.
   const vtkSmartPointer<vtkRenderPass> rendererPass = renderer->GetPass();
   renderer->SetPass(nullptr);
+  const RendererBackground background(renderer);
+  if (this->HasDistributedRays && this->DistributedBackground)
+  {
+    this->DistributedBackground->Apply(renderer);
+  }
+  this->Caster->SetController(controller);
   this->Caster->SetRenderer(renderer);
   this->Caster->LayersOff(); // the view draws them over the image
   this->Caster->SetResolution(size);
+  this->Caster->Modified(); // all ranks execute, also those without changes
   this->Caster->Update();
   this->Caster->SetRenderer(nullptr);
   renderer->SetPass(rendererPass);
-  vtkDataArray* colors = this->Caster->GetOutput()->GetPointData()->GetArray("Color");
-  if (!colors)
+  background.Apply(renderer);
+  if (this->Caster->GetOutput()->GetPointData()->GetArray("Color"))
+  {
+    this->RayImage = this->Caster->GetOutput();
+  }
+}
+
+bool RenderViewPass::DrawRayCast(const vtkRenderState* state)
+{
+  vtkRenderer* renderer = state->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!this->HasDistributedRays)
+  {
+    this->CastRays(renderer);
+  }
+  int size[2];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  vtkDataArray* colors =
+    this->RayImage ? this->RayImage->GetPointData()->GetArray("Color") : nullptr;
+  if (!colors || colors->GetNumberOfTuples() != static_cast<vtkIdType>(size[0]) * size[1])
   {
     return false;
   }

@@ -9,6 +9,8 @@
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkCollectionRange.h"
+#include "vtkCommand.h"
+#include "vtkCommunicator.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
@@ -17,6 +19,7 @@
 #include "vtkPVSynchronizedRenderer.h"
 #include "vtkPenumbraKernels.h"
 #include "vtkPenumbraMedium.h"
+#include "vtkProcessModule.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
@@ -32,6 +35,7 @@ struct vtkPenumbraRenderView::Internals
   vtkNew<vtkLight> Sun;
   vtkNew<vtkPenumbraMedium> Medium;
   std::set<std::string> IssuedWarnings;
+  unsigned long StartObserver = 0;
 };
 
 namespace
@@ -70,11 +74,16 @@ vtkPenumbraRenderView::vtkPenumbraRenderView()
   : Implementation(std::make_unique<Internals>())
 {
   this->Implementation->Sun->SetLightTypeToSceneLight();
+  // After the observers that give all ranks the camera and the size of the first one.
+  constexpr float last = -1.f;
+  this->Implementation->StartObserver = this->GetRenderer()->AddObserver(
+    vtkCommand::StartEvent, this, &vtkPenumbraRenderView::CastDistributedRays, last);
 }
 
 vtkPenumbraRenderView::~vtkPenumbraRenderView()
 {
   // The renderers of the superclass outlive the members of this object.
+  this->GetRenderer()->RemoveObserver(this->Implementation->StartObserver);
   if (this->SynchronizedRenderers->GetImageProcessingPass() == this->Implementation->Pass)
   {
     this->SynchronizedRenderers->SetImageProcessingPass(nullptr);
@@ -146,19 +155,29 @@ void vtkPenumbraRenderView::Configure(bool interactive)
     this->GeometryBounds.IsValid() ? this->GeometryBounds.GetDiagonalLength() : 0.0;
   pass->UseOcclusion = this->AmbientOcclusion && diagonal > 0.0;
   pass->UseShafts = this->LightShafts && diagonal > 0.0;
-  pass->UseRays = this->StillByRays && !interactive && !this->SynchronizedRenderers->GetEnabled();
+  // A client shows what the server has rendered.
+  const bool isClient = this->SynchronizedRenderers->GetEnabled() &&
+    vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_CLIENT;
+  pass->UseRays = this->StillByRays && !interactive && !isClient;
+  pass->HasDistributedRays = pass->UseRays && this->HasSeveralRanks();
   if (!pass->UseOcclusion && !pass->UseShafts && !pass->UseRays)
   {
     return;
   }
-  const bool volumes = HasVisibleVolumes(this->GetRenderer());
-  pass->HasNonOpaqueProps = volumes || HasVisibleTranslucentActors(this->GetRenderer());
-  if (pass->UseRays && volumes)
+  int volumes = HasVisibleVolumes(this->GetRenderer());
+  if (pass->HasDistributedRays)
+  {
+    const int own = volumes;
+    vtkMultiProcessController::GetGlobalController()->AllReduce(
+      &own, &volumes, 1, vtkCommunicator::MAX_OP);
+  }
+  pass->HasNonOpaqueProps = volumes != 0 || HasVisibleTranslucentActors(this->GetRenderer());
+  if (pass->UseRays && volumes != 0)
   {
     this->WarnOnce("Ray casting does not support volumes: the still render is rasterized. Hide the "
                    "volumes, or turn "
                    "off Still By Rays.");
-    pass->UseRays = false;
+    pass->UseRays = pass->HasDistributedRays = false;
   }
   if (diagonal <= 0.0)
   {
@@ -207,12 +226,35 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   caster->SetLightAngle(this->SunAngle);
 }
 
-bool vtkPenumbraRenderView::UsesOrderedCompositing()
+/// Returns true if the images of several ranks are composited.
+bool vtkPenumbraRenderView::HasSeveralRanks()
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
-  const bool composited = this->SynchronizedRenderers->GetEnabled() && controller &&
+  return this->SynchronizedRenderers->GetEnabled() && controller &&
     controller->GetNumberOfProcesses() > 1;
-  if (!composited || !this->GetUseOrderedCompositing())
+}
+
+/// Makes all ranks cast rays if it is possible on the first one, where the image is shown.
+void vtkPenumbraRenderView::AgreeOnRays(bool isPossible)
+{
+  penumbra::RenderViewPass* pass = this->Implementation->Pass;
+  int casts = pass->UseRays && isPossible;
+  vtkMultiProcessController::GetGlobalController()->Broadcast(&casts, 1, 0);
+  pass->UseRays = pass->HasDistributedRays = casts != 0;
+}
+
+void vtkPenumbraRenderView::CastDistributedRays()
+{
+  penumbra::RenderViewPass* pass = this->Implementation->Pass;
+  if (pass->HasDistributedRays)
+  {
+    pass->CastRays(this->GetRenderer());
+  }
+}
+
+bool vtkPenumbraRenderView::UsesOrderedCompositing()
+{
+  if (!this->HasSeveralRanks() || !this->GetUseOrderedCompositing())
   {
     return false;
   }
@@ -236,9 +278,15 @@ void vtkPenumbraRenderView::AboutToRenderOnLocalProcess(bool interactive)
   this->UpdateSunLight();
   this->Configure(interactive);
   penumbra::RenderViewPass* pass = this->Implementation->Pass;
+  pass->DistributedBackground.emplace(this->GetRenderer());
   vtkImageProcessingPass* present = this->SynchronizedRenderers->GetImageProcessingPass();
   const bool hasWork = pass->UseOcclusion || pass->UseShafts || pass->UseRays;
-  if (hasWork && present && present != pass)
+  const bool isToneMapped = hasWork && present && present != pass;
+  if (pass->HasDistributedRays)
+  {
+    this->AgreeOnRays(!isToneMapped && !this->GetMakingSelection());
+  }
+  if (isToneMapped)
   {
     this->WarnOnce(
       "Ambient occlusion and light shafts are not rendered while tone mapping is on. Turn off tone "
@@ -248,8 +296,8 @@ void vtkPenumbraRenderView::AboutToRenderOnLocalProcess(bool interactive)
   // The composited image is only available on the first rank.
   auto* controller = vtkMultiProcessController::GetGlobalController();
   const bool hasImage = !controller || controller->GetLocalProcessId() == 0;
-  const bool active =
-    hasWork && hasImage && !this->UsesOrderedCompositing() && !this->GetMakingSelection();
+  const bool active = hasWork && hasImage && !this->GetMakingSelection() &&
+    (pass->HasDistributedRays || !this->UsesOrderedCompositing());
   if (active && !this->SynchronizedRenderers->GetEnabled())
   {
     // ParaView applies FXAA once after this pass, as it does after compositing.

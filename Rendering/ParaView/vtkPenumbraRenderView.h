@@ -165,8 +165,8 @@ public:
 
   ///@{
   /**
-   * If on, still renders are ray cast, with antialiasing errors below 1/256. Requires that one
-   * process has all data; otherwise the view is rasterized. Default: off.
+   * If on, still renders are ray cast, with antialiasing errors below 1/256, by all ranks together if
+   * their images are composited. With volumes, the view is rasterized. Default: off.
    */
   vtkSetMacro(StillByRays, bool);
   vtkGetMacro(StillByRays, bool);
@@ -186,6 +186,9 @@ private:
   void Configure(bool interactive);
   void ConfigureMedium(vtkPenumbraMedium* medium);
   bool UsesOrderedCompositing();
+  bool HasSeveralRanks();
+  void AgreeOnRays(bool isPossible);
+  void CastDistributedRays();
   void WarnOnce(const char* text);
 
   struct Internals;
