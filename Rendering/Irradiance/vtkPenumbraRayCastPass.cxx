@@ -4,6 +4,7 @@
 
 #include "Chain/RendererStepsPass.h"
 #include "Chain/StaticViewRefiner.h"
+#include "Execution/ParallelFor.h"
 #include "Frame/OpenGLFunctions.h"
 #include "Import/SceneModificationTime.h"
 
@@ -61,10 +62,11 @@ void vtkPenumbraRayCastPass::Internals::ConvertColors()
   auto* colors = vtkFloatArray::SafeDownCast(this->Image->GetPointData()->GetArray("Color"));
   this->Bytes.resize(static_cast<std::size_t>(colors->GetNumberOfValues()));
   const float* values = colors->GetPointer(0);
-  std::transform(values, values + this->Bytes.size(), this->Bytes.begin(), [](float value) {
-    return static_cast<unsigned char>(
-      255.0 * std::clamp(static_cast<double>(value), 0.0, 1.0) + 0.5);
-  });
+  penumbra::ParallelFor<std::size_t>(
+    0, this->Bytes.size(), penumbra::ArrayGrain, [&](std::size_t i) {
+      this->Bytes[i] = static_cast<unsigned char>(
+        255.0 * std::clamp(static_cast<double>(values[i]), 0.0, 1.0) + 0.5);
+    });
 }
 
 void vtkPenumbraRayCastPass::Internals::Draw(vtkOpenGLRenderWindow* window, const int* origin)

@@ -102,6 +102,12 @@ penumbra::InterleavedPixels PhaseLattice(int phase)
   return { InterleaveStep, PhaseColumn[phase], PhaseRow[phase] };
 }
 
+/// Largest number of rays per pixel of a frame in motion, a power of two.
+constexpr int MaximumRaysInMotion = 32;
+
+/// Weight of the last frame in the average number of rays per second.
+constexpr double SpeedUpdate = 0.25;
+
 /// Surface points of a view, and its occlusion while it is refined.
 struct ViewState
 {
@@ -162,17 +168,43 @@ struct ViewState
 struct vtkPenumbraTracedEstimator::RendererState
 {
   penumbra::OccluderGeometry Geometry;
+  double RaysPerSecond = 0.0; ///< average of frames in motion; 0: unknown
   std::map<const penumbra::EyeDepth*, ViewState> Views;
 
   /// Returns true if the BVH was rebuilt.
   bool UpdateGeometry(vtkRenderer* renderer, double radius)
   {
     const bool rebuilt = this->Geometry.Update(renderer, radius);
-    if (rebuilt)
+    for (auto& [depth, view] : this->Views)
     {
-      this->Views.clear();
+      if (rebuilt)
+      {
+        view.Joined.reset();
+        view.Version = 0;
+      }
     }
     return rebuilt;
+  }
+
+  /// Returns the number of rays per pixel that take about `seconds`: a power of two, or 0 if it is
+  /// below 1.
+  int CountAffordableRays(double seconds, std::size_t pixels) const
+  {
+    const double affordable =
+      this->RaysPerSecond * seconds / static_cast<double>(std::max<std::size_t>(pixels, 1));
+    int count = affordable >= 1.0 ? 1 : 0;
+    while (count > 0 && count < MaximumRaysInMotion && 2 * count <= affordable)
+    {
+      count *= 2;
+    }
+    return count;
+  }
+
+  void AddTime(long long rays, double seconds)
+  {
+    const double speed = static_cast<double>(rays) / std::max(seconds, 1e-6);
+    this->RaysPerSecond +=
+      (this->RaysPerSecond > 0.0 ? SpeedUpdate : 1.0) * (speed - this->RaysPerSecond);
   }
 };
 
@@ -202,8 +234,12 @@ try
   RendererState& state = this->UpdateRenderer(request);
   ViewState& viewState = state.Views[request.Depth];
   const penumbra::ScreenTransform& view = request.Depth->GetView();
-  const bool sparse = request.Moving && this->SparseInMotion && view.Width >= InterleaveStep &&
-    view.Height >= InterleaveStep;
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const int affordable =
+    state.CountAffordableRays(request.Seconds, static_cast<std::size_t>(view.Width) * view.Height);
+  const bool sparse = request.Moving && this->SparseInMotion && affordable == 0 &&
+    view.Width >= InterleaveStep && view.Height >= InterleaveStep;
   const penumbra::InterleavedPixels lattice =
     sparse ? PhaseLattice(viewState.FramePhase) : penumbra::InterleavedPixels();
   viewState.FramePhase = sparse ? (viewState.FramePhase + 1) % NumberOfPhases : 0;
@@ -213,13 +249,15 @@ try
   penumbra::TracedSamples samples;
   samples.First =
     sparse ? MotionSequenceStart + request.FirstSample / NumberOfPhases : request.FirstSample;
-  samples.Count = std::max(request.Samples / this->SamplesPerRay, 1);
+  samples.Count = std::max({ request.Samples / this->SamplesPerRay, affordable, 1 });
   samples.Radius = static_cast<float>(request.Radius * state.Geometry.GetScene().Scale);
   samples.Lattice = lattice;
   const std::vector<penumbra::Rectangle> wholeImage = { { 0, 0, view.Width, view.Height } };
-  this->NumberOfRays += penumbra::TraceOcclusion(viewState.Points,
+  const long long rays = penumbra::TraceOcclusion(viewState.Points,
     lattice.CountIn(view.Width, lattice.Column), state.Geometry.GetRays(), samples,
     ConvertToLattice(request.Parts ? *request.Parts : wholeImage, lattice), means);
+  this->NumberOfRays += rays;
+  state.AddTime(rays, std::chrono::duration<double>(Clock::now() - start).count());
   if (sparse)
   {
     means = ExpandToImage(means, lattice, view.Width, view.Height);

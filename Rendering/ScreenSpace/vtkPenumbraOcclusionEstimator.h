@@ -66,11 +66,10 @@ public:
     ///@}
     bool Moving = false;        ///< one of a sequence of similar frames
     bool RotatePerPixel = true; ///< samples differ from pixel to pixel
-    ///@{
-    /// Only for Refine(): accepted RMSE of any 16x16 pixels, and the time that it may take.
-    double Tolerance = 0.01;
+    double Tolerance = 0.01;    ///< only for Refine(): accepted RMSE of any 16x16 pixels
+    /// Time that Refine() may take; Estimate() may take more samples than requested in it. 0: one step,
+    /// or the requested samples.
     double Seconds = 0.1;
-    ///@}
     /// Rectangles in which samples are requested; null: the whole image.
     const std::vector<penumbra::Rectangle>* Parts = nullptr;
   };

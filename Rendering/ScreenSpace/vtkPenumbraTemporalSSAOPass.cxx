@@ -242,8 +242,8 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   }
   settings.Darkness = { this->Strength, this->LightAwareness };
   settings.Tolerance = this->Tolerance;
-  settings.Seconds =
-    (penumbra::IsInteractive(window) ? penumbra::InteractiveTimeFraction : 1.0) * this->FrameTime;
+  settings.SecondsInMotion = penumbra::MotionTimeFraction * this->FrameTime;
+  settings.Seconds = penumbra::IsInteractive(window) ? settings.SecondsInMotion : this->FrameTime;
   const penumbra::OcclusionConstants& constants = internals.Constants;
   settings.Constants = constants;
   settings.InOneRender = this->ConvergeInOneRender == ALWAYS ||

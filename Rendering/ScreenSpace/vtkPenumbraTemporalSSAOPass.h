@@ -148,9 +148,10 @@ public:
 
   ///@{
   /**
-   * Time in seconds that the samples of a frame of a static view take, as long as it has not converged;
-   * a fifth of it while the window's DesiredUpdateRate is 1 per second or more. A frame takes at least
-   * one step of samples. Converged images do not depend on it. Range: [0.001, 10]. Default: 0.1.
+   * Time in seconds that the samples of a frame of a static view take, as long as it has not converged.
+   * Ray tracing takes a fifth of it in motion, and so do static views while the window's
+   * DesiredUpdateRate is 1 per second or more. A frame takes at least one step of samples. Converged
+   * images do not depend on it. Range: [0.001, 10]. Default: 0.1.
    */
   vtkPenumbraSetClampedNumberMacro(FrameTime, 0.001, 10.0);
   vtkGetMacro(FrameTime, double);

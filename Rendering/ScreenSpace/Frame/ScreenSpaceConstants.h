@@ -74,8 +74,8 @@ constexpr double TileOffsetWeight = 4.0;
 /// is not met.
 constexpr double StillSampleLimit = 8.0;
 
-/// Fraction of FrameTime for the samples of a frame during interaction.
-constexpr double InteractiveTimeFraction = 0.2;
+/// Fraction of FrameTime for the samples of a frame in motion and during interaction.
+constexpr double MotionTimeFraction = 0.2;
 
 /// While actors move in front of a static camera, the number of frames between comparisons of
 /// depths.

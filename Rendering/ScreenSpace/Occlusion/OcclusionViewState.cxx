@@ -244,7 +244,7 @@ void OcclusionViewState::LimitSamplesSinceReset()
     this->SamplesSinceReset, static_cast<int>(this->Settings.Constants.InvalidationWeight));
 }
 
-vtkPenumbraOcclusionEstimator::Request OcclusionViewState::MakeRequest() const
+vtkPenumbraOcclusionEstimator::Request OcclusionViewState::MakeRequest(bool isStatic) const
 {
   vtkPenumbraOcclusionEstimator::Request request;
   request.Window = this->Window;
@@ -254,14 +254,16 @@ vtkPenumbraOcclusionEstimator::Request OcclusionViewState::MakeRequest() const
   request.Radius = this->Settings.Radius;
   request.FirstSample = this->TotalSamples;
   request.Tolerance = this->Settings.Tolerance;
-  request.Seconds = this->Settings.Constants.StepsPerFrame > 0 ? 0.0 : this->Settings.Seconds;
+  request.Seconds = this->Settings.Constants.StepsPerFrame > 0 ? 0.0
+    : isStatic                                                 ? this->Settings.Seconds
+                                                               : this->Settings.SecondsInMotion;
   return request;
 }
 
 bool OcclusionViewState::Refine()
 {
   const vtkPenumbraOcclusionEstimator::Refinement result =
-    this->Estimator->Refine(this->MakeRequest(), this->Estimates);
+    this->Estimator->Refine(this->MakeRequest(true), this->Estimates);
   if (result.HasFailed)
   {
     return false;
@@ -289,7 +291,8 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
     this->LimitSamplesSinceReset();
   }
   const double convergence = this->SamplesSinceReset / constants.MaximumWeight;
-  vtkPenumbraOcclusionEstimator::Request request = this->MakeRequest();
+  vtkPenumbraOcclusionEstimator::Request request =
+    this->MakeRequest(change == EyeDepth::Change::None);
   // In motion, a kernel takes FirstSamples only where history is short. Frames of a static view have
   // more samples, because the rest of a frame costs as much with few.
   const bool byPixel = change == EyeDepth::Change::Moved && this->HasShader();

@@ -33,7 +33,11 @@ struct OcclusionSettings
   double Tolerance = 0.01;
   OcclusionConstants Constants;
   bool InOneRender = false;
-  double Seconds = 0.1; ///< time for the samples of a frame of a static view
+  ///@{
+  /// Time for the samples of a frame, of a static view and in motion.
+  double Seconds = 0.1;
+  double SecondsInMotion = 0.02;
+  ///@}
   bool DelegateDrawsBackground = true;
   bool SceneChanged = true;   ///< something besides the camera may have moved since the last frame
   bool PropsChanged = false;  ///< props were added or removed since the last frame
@@ -85,7 +89,7 @@ private:
   /// Returns whether the estimator can be part of the reprojecting shader.
   bool HasShader() const { return !this->Estimator->GetShader().empty(); }
   bool Estimate(EyeDepth::Change change);
-  vtkPenumbraOcclusionEstimator::Request MakeRequest() const;
+  vtkPenumbraOcclusionEstimator::Request MakeRequest(bool isStatic) const;
   bool Refine();
   int AccumulateSamples(
     const vtkPenumbraOcclusionEstimator::Request& request, EyeDepth::Change change, bool refine);

@@ -10,10 +10,12 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkTransform.h"
+#include "vtkVersion.h"
 
 #include <gtest/gtest.h>
 
@@ -226,6 +228,118 @@ TEST(RendererMap, DropsTheStateOfDeletedRenderers)
   EXPECT_EQ(states.Find(address, 2), nullptr); // also for a new renderer at this address
   EXPECT_EQ(*states.Get(kept), 1);
   EXPECT_TRUE(state.expired());
+}
+
+/// Lines as tubes and points as spheres, which a shader draws.
+void AddImpostors(OcclusionScene& scene, bool spheres)
+{
+  const vtkSmartPointer<vtkActor> actor = scene.AddSphere({ 0.3, -1.2, 0.6 }, 0.5);
+  vtkProperty* property = actor->GetProperty();
+  property->SetColor(0.9, 0.4, 0.3);
+  property->SetLineWidth(6.f);
+  property->SetPointSize(9.f);
+  if (spheres)
+  {
+    property->SetRepresentationToPoints();
+    property->RenderPointsAsSpheresOn();
+  }
+  else
+  {
+    property->SetRepresentationToWireframe();
+    property->RenderLinesAsTubesOn();
+  }
+}
+
+TEST(OcclusionViews, KeepSpheresAndTubesOfShaders)
+{
+  if (vtkVersion::GetVTKMajorVersion() == 9 && vtkVersion::GetVTKMinorVersion() < 4)
+  {
+    GTEST_SKIP() << "This version of VTK has no shader for tubes on meshes with normals.";
+  }
+  for (const bool spheres : { true, false })
+  {
+    for (const int multiSamples : { 0, 4 })
+    {
+      const auto draw = [&](double strength) {
+        OcclusionScene scene(160, 120, multiSamples);
+        BuildColoredSpheres(scene);
+        AddImpostors(scene, spheres);
+        if (strength >= 0.0)
+        {
+          scene.AddOcclusionPass(0.5)->SetStrength(strength);
+          scene.Pass->SetKernelName("march");
+        }
+        scene.Window->Render();
+        return scene.Image();
+      };
+      SCOPED_TRACE(multiSamples);
+      const std::vector<int> plain = draw(-1.0);
+      EXPECT_GT(FractionOff(plain, Draw({}), 20), 0.01);
+      // A sample of a pixel may belong to another primitive if depths of several are nearly equal.
+      const std::vector<int> image = draw(0.0);
+      EXPECT_LE(FractionOff(image, plain, 2), multiSamples > 0 ? 0.002 : 0.0);
+      EXPECT_LE(LargestDifference(image, plain), multiSamples > 0 ? 40 : 2);
+    }
+  }
+}
+
+TEST(OcclusionViews, DarkenOverlappingViewportsByTheirOwnOcclusion)
+{
+  const auto draw = [](double strength, bool lower, bool upper) {
+    OcclusionScene scene;
+    BuildColoredSpheres(scene);
+    vtkNew<vtkRenderer> second;
+    OcclusionScene other;
+    BuildColoredSpheres(other);
+    vtkPropCollection* props = other.Renderer->GetViewProps();
+    vtkCollectionSimpleIterator position;
+    props->InitTraversal(position);
+    while (vtkProp* prop = props->GetNextProp(position))
+    {
+      second->AddViewProp(prop);
+    }
+    second->SetActiveCamera(other.Renderer->GetActiveCamera());
+    second->SetViewport(0.4, 0.3, 1.0, 1.0);
+    scene.Renderer->SetViewport(0.0, 0.0, 0.7, 0.8);
+    scene.Window->AddRenderer(second);
+    if (!upper)
+    {
+      scene.Window->RemoveRenderer(second);
+    }
+    for (vtkRenderer* renderer : { scene.Renderer.Get(), second.Get() })
+    {
+      if (strength >= 0.0 && (renderer == second ? upper : lower))
+      {
+        auto* pass = Pass::AddTo(renderer);
+        pass->SetRadiusUnit(Pass::WORLD);
+        pass->SetRadius(0.5);
+        pass->SetStrength(strength);
+        pass->SetKernelName("march");
+      }
+    }
+    scene.Window->Render();
+    return scene.Image();
+  };
+  EXPECT_LE(LargestDifference(draw(0.0, true, true), draw(-1.0, true, true)), 2);
+  // Where only one viewport is, and where the upper one covers the lower one.
+  const std::vector<int> both = draw(1.0, true, true);
+  const std::vector<int> onlyLower = draw(1.0, true, false);
+  int off = 0;
+  for (int j = 0; j < 96; ++j)
+  {
+    for (int i = 0; i < 112; ++i)
+    {
+      if (i < 64 || j < 36)
+      {
+        const std::size_t at = 4 * (static_cast<std::size_t>(j) * 160 + i);
+        for (int c = 0; c < 3; ++c)
+        {
+          off += std::abs(both[at + c] - onlyLower[at + c]) > 2;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(off, 0);
 }
 
 }

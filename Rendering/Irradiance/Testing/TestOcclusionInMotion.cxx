@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Images of the occlusion pass in motion, compared with those to which they converge.
+#include "TracedScene.h"
+#include "vtkPenumbraTracedEstimator.h"
+
+#include "vtkCamera.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkSphereSource.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+using namespace penumbra_testing;
+
+namespace
+{
+
+using Pass = vtkPenumbraTemporalSSAOPass;
+
+constexpr int Frames = 12;
+
+/// A motion, one step per frame, and upper bounds of the error of its last frame.
+struct Motion
+{
+  std::string Name;
+  std::string Kernel;
+  double FractionOff; ///< fraction of pixels whose occlusion is off by more than 0.1
+  double RMSE;
+  std::function<void(OcclusionScene&, vtkActor*, vtkPolyData*, int)> Step;
+};
+
+/// Spheres and glyphs on a floor.
+struct MovingScene
+{
+  MovingScene()
+    : Scene(320, 240)
+  {
+    this->Scene.AddFloor();
+    for (int i = 0; i < 5; ++i)
+    {
+      this->Scene.AddSphere({ 1.1 * (i % 3) - 1.1, 1.2 * (i / 3), 0.45 }, 0.45);
+    }
+    this->Moved = this->Scene.AddSphere({ 0.0, 0.0, 0.0 }, 0.4);
+    this->Moved->SetPosition(0.5, -1.0, 0.4);
+    for (int i = 0; i < 6; ++i)
+    {
+      this->Points->InsertNextPoint(0.4 * i - 1.0, -0.5, 0.15);
+    }
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetRadius(0.15);
+    sphere->SetThetaResolution(24);
+    sphere->SetPhiResolution(16);
+    this->Mesh->SetPoints(this->Points);
+    this->Mapper->SetInputData(this->Mesh);
+    this->Mapper->SetSourceConnection(sphere->GetOutputPort());
+    this->Mapper->ScalingOff();
+    this->Glyphs->SetMapper(this->Mapper);
+    this->Glyphs->GetProperty()->LightingOff();
+    this->Scene.Renderer->AddActor(this->Glyphs);
+    this->Scene.SetCamera({ 0, -4, 2.5 }, { 0, 0, 0.4 });
+  }
+
+  OcclusionScene Scene;
+  vtkSmartPointer<vtkActor> Moved;
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkPolyData> Mesh;
+  vtkNew<vtkGlyph3DMapper> Mapper;
+  vtkNew<vtkActor> Glyphs;
+};
+
+void Turn(OcclusionScene& scene, vtkActor*, vtkPolyData*, int)
+{
+  scene.Renderer->GetActiveCamera()->Azimuth(0.25);
+}
+
+void Dolly(OcclusionScene& scene, vtkActor*, vtkPolyData*, int)
+{
+  scene.Renderer->GetActiveCamera()->Dolly(1.03);
+  scene.Renderer->ResetCameraClippingRange();
+}
+
+void Orbit(OcclusionScene& scene, vtkActor*, vtkPolyData*, int)
+{
+  scene.Renderer->GetActiveCamera()->Azimuth(15.0);
+  scene.Renderer->ResetCameraClippingRange();
+}
+
+void Cut(OcclusionScene& scene, vtkActor*, vtkPolyData*, int frame)
+{
+  scene.Renderer->GetActiveCamera()->Azimuth(frame == Frames ? 120.0 : 0.0);
+  scene.Renderer->ResetCameraClippingRange();
+}
+
+void ScaleActor(OcclusionScene&, vtkActor* actor, vtkPolyData*, int frame)
+{
+  actor->SetScale(std::pow(1.03, frame));
+}
+
+void MoveActor(OcclusionScene&, vtkActor* actor, vtkPolyData*, int frame)
+{
+  actor->SetPosition(0.5 - 0.03 * frame, -1.0, 0.4);
+}
+
+void MoveGlyphs(OcclusionScene&, vtkActor*, vtkPolyData* mesh, int)
+{
+  vtkPoints* points = mesh->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    points->SetPoint(i, p[0] + 0.02, p[1] - 0.02, p[2]);
+  }
+  points->Modified();
+  mesh->Modified();
+}
+
+class OcclusionInMotion : public ::testing::TestWithParam<Motion>
+{
+};
+
+TEST_P(OcclusionInMotion, IsNearItsLimit)
+{
+  const Motion& motion = GetParam();
+  vtkPenumbraTracedEstimator::Register();
+  MovingScene moving;
+  OcclusionScene& scene = moving.Scene;
+  Pass* pass = scene.AddOcclusionPass(0.7);
+  pass->SetKernelName(motion.Kernel.c_str());
+  pass->SetConvergeInOneRender(Pass::NEVER);
+  for (int frame = 1; frame <= Frames; ++frame)
+  {
+    motion.Step(scene, moving.Moved, moving.Mesh, frame);
+    scene.Window->Render();
+  }
+  const std::vector<float> image = scene.Array("AmbientOcclusion");
+  pass->SetConvergeInOneRender(Pass::ALWAYS);
+  pass->SetTolerance(0.006);
+  scene.Window->Render();
+  const std::vector<float> limit = scene.Array("AmbientOcclusion");
+  const std::vector<float> depth = scene.Array("Depth");
+  double off = 0.0;
+  double pixels = 0.0;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < image.size(); ++i)
+  {
+    if (std::isfinite(depth[i]))
+    {
+      pixels += 1.0;
+      off += std::abs(image[i] - limit[i]) > 0.1f;
+      squares += std::pow(image[i] - limit[i], 2.0);
+    }
+  }
+  EXPECT_LT(off / pixels, motion.FractionOff);
+  EXPECT_LT(std::sqrt(squares / pixels), motion.RMSE);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OcclusionInMotion,
+  ::testing::Values(Motion{ "Turn", "march", 0.003, 0.015, Turn },
+    Motion{ "Dolly", "march", 0.005, 0.02, Dolly }, Motion{ "Orbit", "march", 0.012, 0.026, Orbit },
+    Motion{ "Cut", "march", 0.002, 0.012, Cut },
+    Motion{ "ScaledActor", "march", 0.05, 0.05, ScaleActor },
+    Motion{ "MovedActor", "march", 0.065, 0.058, MoveActor },
+    Motion{ "MovedGlyphs", "march", 0.065, 0.06, MoveGlyphs },
+    Motion{ "TurnByRays", "traced", 0.012, 0.03, Turn },
+    Motion{ "DollyByRays", "traced", 0.02, 0.04, Dolly },
+    Motion{ "CutByRays", "traced", 0.03, 0.045, Cut }),
+  [](const auto& parameter) { return parameter.param.Name; });
+
+}
