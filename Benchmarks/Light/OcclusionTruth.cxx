@@ -10,6 +10,7 @@
 #include "Surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -108,11 +109,26 @@ private:
     return { this->Rays.GetSmoothNormal(hit, geometric), glm::vec3(geometric) };
   }
 
+  /// Returns the normal (unit) of direct light, as VTK interpolates it: also where it is tangential or faces away.
+  glm::vec3 FindLightingNormal(const Ray& ray, const Hit& hit) const
+  {
+    const glm::vec3 geometric(this->Rays.GetNormal(ray, hit));
+    const float side = glm::dot(geometric, ray.Direction) > 0.f ? -1.f : 1.f;
+    const Surface& surface = this->Rays.GetScene().Surfaces[hit.Surface];
+    if (surface.Normals.empty())
+    {
+      return side * glm::normalize(geometric);
+    }
+    const std::array<glm::vec3, 3> normals = surface.GetNormals(hit.Primitive, surface.Normals);
+    return side *
+      glm::normalize((1.f - hit.U - hit.V) * normals[0] + hit.U * normals[1] + hit.V * normals[2]);
+  }
+
   double TraceSun(const Ray& ray, const Hit& hit) const
   {
     const SurfaceNormals normals = this->FindNormals(ray, hit);
-    const double cosine = glm::dot(normals.Shading, this->Sun);
-    if (!(cosine > 0.0))
+    const double cosine = glm::dot(this->FindLightingNormal(ray, hit), this->Sun);
+    if (!(cosine > 0.0) || !(glm::dot(normals.Geometric, this->Sun) > 0.f))
     {
       return 0.0;
     }

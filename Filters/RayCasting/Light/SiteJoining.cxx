@@ -3,8 +3,9 @@
 #include "SiteJoining.h"
 
 #include "Execution/ParallelFor.h"
+#include "LightBias.h"
 #include "LightConstants.h"
-#include "LightPatch.h"
+#include "LightLevel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,75 +16,11 @@ namespace penumbra
 namespace
 {
 
-constexpr std::uint32_t None = 0xffffffffu;
-constexpr int Neighbors = 9; ///< blocks of a window, row by row; the central one is the fifth
-
 template <typename T>
 T Square(const T& x)
 {
   return x * x;
 }
-
-/// The patches of one level, with their windows and models.
-template <int N>
-struct Level
-{
-  int Side = 1; ///< of a block, in cells
-  glm::ivec2 Blocks{ 0 };
-  std::vector<std::uint32_t> Begin; ///< first patch of each block, and their number
-  std::vector<LightPatch<N>> Patches;
-  std::vector<std::uint32_t> Parents; ///< patch of the next level
-  struct Window
-  {
-    std::uint32_t Patches[Neighbors]; ///< that match the central one, or None
-  };
-  std::vector<Window> Windows;
-  std::vector<LightModel<N>> Models;
-
-  int GetNumberOfBlocks() const { return this->Blocks.x * this->Blocks.y; }
-};
-
-/// Weights of the patches of a window for a patch of the first level in its
-/// central block, whose first cell is `cell`.
-struct Blend
-{
-  std::uint32_t Patches[4];
-  float Weights[4];
-  int Count = 0;
-
-  template <int N>
-  Blend(const Level<N>& level, std::uint32_t patch, glm::ivec2 cell)
-  {
-    const typename Level<N>::Window& window = level.Windows[patch];
-    int step[2];
-    float beside[2];
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      const float at =
-        (static_cast<float>(cell[axis] % level.Side) + 1.f) / static_cast<float>(level.Side) - 0.5f;
-      step[axis] = at < 0.f ? -1 : 1;
-      beside[axis] = std::abs(at);
-    }
-    float sum = 0.f;
-    for (int i = 0; i < 4; ++i)
-    {
-      const int x = i & 1 ? step[0] : 0;
-      const int y = i >> 1 ? step[1] : 0;
-      const std::uint32_t other = window.Patches[4 + 3 * y + x];
-      if (other != None)
-      {
-        this->Patches[this->Count] = other;
-        this->Weights[this->Count] =
-          (i & 1 ? beside[0] : 1.f - beside[0]) * (i >> 1 ? beside[1] : 1.f - beside[1]);
-        sum += this->Weights[this->Count++];
-      }
-    }
-    for (int i = 0; i < this->Count; ++i)
-    {
-      this->Weights[i] /= sum;
-    }
-  }
-};
 
 template <int N>
 class SiteJoining
@@ -91,7 +28,8 @@ class SiteJoining
   using Value = typename LightTerms<N>::Value;
   using Patch = LightPatch<N>;
   using Model = LightModel<N>;
-  using Level = penumbra::Level<N>;
+  using Level = LightLevel<N>;
+  using Changes = LevelChanges<N>;
 
 public:
   explicit SiteJoining(SiteGrid<N>& grid)
@@ -132,68 +70,6 @@ private:
       0.f
     }; ///< weighted sum of the products of the changes from the sites to the first level
   };
-  /// Squared changes of the estimates of a patch between levels; the first one: from the sites alone.
-  struct Changes
-  {
-    float Weights[LightLevels] = {}; ///< in pixels
-    Value Sums[LightLevels] = {};
-    Value Variances[LightLevels] = {};
-
-    void Add(const Changes& other, float weight)
-    {
-      for (int i = 0; i < LightLevels; ++i)
-      {
-        this->Weights[i] += weight * other.Weights[i];
-        this->Sums[i] += weight * other.Sums[i];
-        this->Variances[i] += weight * other.Variances[i];
-      }
-    }
-  };
-
-  /// Estimated squared change from each level to the next; after PoolBias(): from the sites alone.
-  struct PatchBias
-  {
-    Value Squares[LightLevels] = {};
-
-    PatchBias() = default;
-
-    /// The change that was found is weighed against the one that is expected from that between the next
-    /// coarser levels: in the ratio of a region, if given.
-    PatchBias(const Changes& changes, const PatchBias* region)
-    {
-      for (int l = LightLevels - 1; l >= 0; --l)
-      {
-        const Value found = changes.Sums[l] / changes.Weights[l];
-        const float units = changes.Weights[l] / static_cast<float>(l == 0 ? 1 : 4 << (2 * l - 2));
-        const Value noise = 2.f * changes.Variances[l] / changes.Weights[l] / std::sqrt(units);
-        const Value expected = this->Expect(l, region);
-        const Value spread = glm::max(expected, found - noise);
-        const Value certainty = Square(spread) / (Square(spread) + Square(noise) + 1e-20f);
-        this->Squares[l] = glm::max(expected + certainty * (found - expected), Value(0.f)) +
-          BiasCaution * glm::sqrt(certainty) * noise;
-      }
-    }
-
-  private:
-    Value Expect(int level, const PatchBias* region) const
-    {
-      if (level + 1 == LightLevels)
-      {
-        return Value(0.f);
-      }
-      const Value* const squares = region ? region->Squares + level : this->Squares + level + 1;
-      const float smallest = region ? 0.f : SmallestBiasRatio;
-      Value ratio(LargestBiasRatio);
-      for (int i = 0; i < N && (region || level + 2 < LightLevels); ++i)
-      {
-        ratio[i] = squares[1][i] > 0.f
-          ? std::clamp(squares[0][i] / squares[1][i], smallest, LargestBiasRatio)
-          : LargestBiasRatio;
-      }
-      return ratio * this->Squares[level + 1];
-    }
-  };
-
   template <typename Visit>
   void VisitPatches(Level& level, const Visit& makePatches)
   {
@@ -312,12 +188,12 @@ private:
       {
         const Patch& patch = level.Patches[p];
         Patch sum = patch;
-        for (int i = 0; i < Neighbors; ++i)
+        for (int i = 0; i < WindowBlocks; ++i)
         {
           const glm::ivec2 step(i % 3 - 1, i / 3 - 1);
           std::uint32_t& match = level.Windows[p].Patches[i];
           match = i == 4 ? p : FindMatch(level, at + step, patch);
-          if (i != 4 && match != None)
+          if (i != 4 && match != NoPatch)
           {
             sum.Add(level.Patches[match], (step.x == 0 ? 1.f : 0.5f) * (step.y == 0 ? 1.f : 0.5f));
           }
@@ -329,7 +205,7 @@ private:
 
   static std::uint32_t FindMatch(const Level& level, glm::ivec2 block, const Patch& patch)
   {
-    std::uint32_t best = None;
+    std::uint32_t best = NoPatch;
     float largest = 0.f;
     if (block.x >= 0 && block.y >= 0 && block.x < level.Blocks.x && block.y < level.Blocks.y)
     {
@@ -356,7 +232,7 @@ private:
     for (int l = 0; l < LightLevels; ++l)
     {
       const Level& level = this->Levels[l];
-      const Blend blend(level, parent, this->Cells[p]);
+      const ModelBlend blend(level, parent, this->Cells[p]);
       Value* const values = estimates.Values[l];
       std::fill(values, values + Halves, Value(0.f));
       Value variance(0.f);
@@ -391,7 +267,7 @@ private:
       for (std::uint32_t k = pixel.Begin; k < pixel.Begin + pixel.Sites; ++k)
       {
         const LightSite<N>& site = this->Grid.Sites[k];
-        const Blend blend(level, site.Patch, this->Cells[site.Patch]);
+        const ModelBlend blend(level, site.Patch, this->Cells[site.Patch]);
         Value values[Halves] = {};
         for (int n = 0; n < blend.Count; ++n)
         {
@@ -434,6 +310,8 @@ private:
         changes.Weights[l] += parts;
         changes.Sums[l] += parts * (estimates.Values[l][0] - estimates.Values[l - 1][0]) *
           (estimates.Values[l][1] - estimates.Values[l - 1][1]);
+        changes.Totals[l] += parts * (estimates.Values[l][0] - estimates.Values[0][0]) *
+          (estimates.Values[l][1] - estimates.Values[0][1]);
         changes.Variances[l] += parts * estimates.Variances[l];
       }
     }
@@ -444,23 +322,20 @@ private:
       {
         return;
       }
-      const PatchBias region(regions[block], nullptr);
+      const PatchBias<N> region(regions[block], nullptr);
       for (std::uint32_t p = level.Begin[block]; p < level.Begin[block + 1]; ++p)
       {
         Changes sum;
-        for (int i = 0; i < Neighbors; ++i)
+        for (int i = 0; i < WindowBlocks; ++i)
         {
           const std::uint32_t other = level.Windows[p].Patches[i];
-          if (other != None)
+          if (other != NoPatch)
           {
             sum.Add(own[other], (i % 3 == 1 ? 1.f : 0.5f) * (i / 3 == 1 ? 1.f : 0.5f));
           }
         }
-        this->Bias[p] = PatchBias(sum, &region);
-        for (int l = 1; l < LightLevels; ++l)
-        {
-          this->Bias[p].Squares[l] += this->Bias[p].Squares[l - 1];
-        }
+        this->Bias[p] = PatchBias<N>(sum, &region);
+        this->Bias[p].Accumulate(sum);
       }
     });
   }
@@ -497,7 +372,7 @@ private:
   void Combine(std::uint32_t p)
   {
     const PatchEstimates& estimates = this->Estimates[p];
-    const Blend pool(this->Levels[BiasLevel - 1], this->FindBiasPatch(p), this->Cells[p]);
+    const ModelBlend pool(this->Levels[BiasLevel - 1], this->FindBiasPatch(p), this->Cells[p]);
     const Patch& patch = this->Levels[0].Patches[p];
     const float part = patch.Parts / patch.Sites;
     const float factor = 1.f + PartialSiteBias * (1.f - part);
@@ -530,7 +405,7 @@ private:
     for (int l = 1; l <= LightLevels; ++l)
     {
       const Level& level = this->Levels[l - 1];
-      const Blend blend(level, parent, this->Cells[p]);
+      const ModelBlend blend(level, parent, this->Cells[p]);
       const float weight = 0.5f * weights[l] / sum;
       result.SquaredError += 2.f * weight * errors[l];
       result.Value += weight * (estimates.Values[l - 1][0] + estimates.Values[l - 1][1]);
@@ -550,7 +425,7 @@ private:
   std::vector<glm::u8vec2> Cells; ///< per patch of the first level: first cell
                                   ///< of its block, in its tile
   std::vector<PatchEstimates> Estimates;
-  std::vector<PatchBias> Bias;
+  std::vector<PatchBias<N>> Bias;
   Level Levels[LightLevels];
 };
 
