@@ -197,6 +197,20 @@ TEST(Headers, IncludeTheStandardHeadersThatTheyName)
   }
 }
 
+/// Returns the files in folders of the repository, and the script of the commands.
+std::vector<fs::path> FilesBelow(const Names& folders)
+{
+  std::vector<fs::path> found = { Root / "penumbra" };
+  for (const std::string& top : folders)
+  {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(Root / top))
+    {
+      found.push_back(entry.path());
+    }
+  }
+  return found;
+}
+
 TEST(Documentation, LinksLeadToFiles)
 {
   const std::regex link(R"(\]\(([^)#:]+)[^):]*\))");
@@ -219,6 +233,29 @@ TEST(Documentation, LinksLeadToFiles)
   }
 }
 
+TEST(Documentation, ListsEveryEnvironmentVariable)
+{
+  const std::string page = Text(Root / "Documentation/reference/EnvironmentVariables.md");
+  const std::regex read(
+    R"re((?:getenv\("|environ(?:\.get\(|\.setdefault\(|\[)"|\$\{)((?:PENUMBRA|PYVISTA)\w*)(?=["):-]))re");
+  const Names scripts = { "penumbra", "run-suites" };
+  for (const fs::path& source : FilesBelow({ "Benchmarks", "Command", "Examples", "Filters",
+         "Plugin", "Python", "Rendering", "Testing" }))
+  {
+    const std::string kind = source.extension().string();
+    if (kind == ".cxx" || kind == ".h" || kind == ".py" ||
+      scripts.count(source.filename().string()))
+    {
+      const std::string text = Text(source);
+      for (std::sregex_iterator i(text.begin(), text.end(), read), end; i != end; ++i)
+      {
+        EXPECT_NE(page.find("`" + (*i)[1].str() + "`"), std::string::npos)
+          << source << ": " << (*i)[1];
+      }
+    }
+  }
+}
+
 TEST(Data, HasAnOriginForEveryFile)
 {
   const std::string origins = Text(Root / "Data/README.md");
@@ -228,5 +265,4 @@ TEST(Data, HasAnOriginForEveryFile)
     EXPECT_TRUE(name == "README.md" || origins.find(name) != std::string::npos) << name;
   }
 }
-
 }
