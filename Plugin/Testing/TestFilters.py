@@ -73,9 +73,11 @@ class BakeAmbientOcclusionFilter(unittest.TestCase):
         baked = BakeAmbientOcclusion(Input=sphere())
         text = str(baked.SMProxy.GetClientSideObject())
         for name in ("Tolerance", "Radius", "OnCells", "ComputeNormals", "PointRadius", "LineRadius",
-                     "Method", "NumberOfThreads"):
+                     "NumberOfThreads"):
             shown = baked.SMProxy.GetProperty(name).GetElement(0)
             self.assertIn(f"  {name}: {shown:g}\n", text)
+        self.assertEqual(baked.SMProxy.GetProperty("Method").GetElement(0), 0)
+        self.assertIn("  Method: Automatic\n", text)
 
     def test_saves_its_settings_in_states_and_scripts(self):
         BakeAmbientOcclusion(
@@ -144,7 +146,8 @@ class BakeIrradianceFilter(unittest.TestCase):
     def test_has_the_defaults_of_its_class(self):
         baked = BakeIrradiance(Input=sphere())
         text = str(baked.SMProxy.GetClientSideObject())
-        for name in ("Quantity", "Tolerance", "EnvironmentColor", "Albedo", "Bounces", "OnCells"):
+        self.assertIn("  Quantity: Irradiance\n", text)
+        for name in ("Tolerance", "EnvironmentColor", "Albedo", "Bounces", "OnCells"):
             shown = baked.SMProxy.GetProperty(name)
             values = (shown.GetElement(i) for i in range(shown.GetNumberOfElements()))
             self.assertIn(f"  {name}: {' '.join(f'{value:g}' for value in values)}\n", text)
@@ -193,7 +196,8 @@ class BakeDirectLightFilter(unittest.TestCase):
     def test_has_the_defaults_of_its_class(self):
         baked = BakeDirectLight(Input=sphere())
         text = str(baked.SMProxy.GetClientSideObject())
-        for name in ("Quantity", "Tolerance", "LightRadius", "LightAngle", "OnCells"):
+        self.assertIn("  Quantity: DirectLight\n", text)
+        for name in ("Tolerance", "LightRadius", "LightAngle", "OnCells"):
             self.assertIn(f"  {name}: {baked.SMProxy.GetProperty(name).GetElement(0):g}\n", text)
         self.assertIn("  Lights: 1\n", text)
 
