@@ -128,9 +128,9 @@ std::vector<Surface> Assemble(
   const std::vector<UnitedSurface>& united, std::vector<std::string>& messages)
 {
   TextureMap textures;
-  for (const std::string& message : messages)
+  std::vector<ByteReader> readers(messages.begin(), messages.end());
+  for (ByteReader& reader : readers)
   {
-    ByteReader reader(message);
     GetTextures(reader, textures);
   }
   std::vector<Surface> surfaces;
@@ -139,17 +139,14 @@ std::vector<Surface> Assemble(
     surfaces.push_back(MakeEmptySurface(surface.Appearance, textures));
     surfaces.back().Whole = surface.Whole;
   }
-  for (std::string& message : messages)
+  for (std::size_t i = 0; i < readers.size(); ++i)
   {
-    ByteReader reader(message);
-    TextureMap skipped;
-    GetTextures(reader, skipped);
-    while (!reader.IsAtEnd())
+    while (!readers[i].IsAtEnd())
     {
-      const auto index = reader.Get<std::uint32_t>();
-      AppendPart(reader, surfaces.at(index));
+      const auto index = readers[i].Get<std::uint32_t>();
+      AppendPart(readers[i], surfaces.at(index));
     }
-    message = std::string(); // frees the memory
+    messages[i] = std::string(); // frees the memory
   }
   std::for_each(surfaces.begin(), surfaces.end(), FinishParts);
   return surfaces;

@@ -73,7 +73,7 @@ private:
   /// Returns the standard error of the mean square of a change.
   static Value ComputeNoise(const LevelChanges<N>& changes, int level)
   {
-    const float pixels = static_cast<float>(level == 0 ? 1 : 4 << (2 * level - 2));
+    const auto pixels = static_cast<float>(1 << 2 * level); // of a block
     const float units = changes.Weights[level] / pixels;
     return 2.f * changes.Variances[level] / changes.Weights[level] / std::sqrt(units);
   }

@@ -68,19 +68,26 @@ protected:
     return { color->GetPointer(0), color->GetPointer(0) + color->GetNumberOfValues() };
   }
 
-  /// Replaces all props by a white wall, x = 5, in the medium between x = -2 and 5.
-  void ReplaceProps()
+  /// Adds a white wall at `x`, across the view.
+  vtkProperty* AddWall(double x)
   {
     vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(5.0, -50.0, -50.0);
-    plane->SetPoint1(5.0, 50.0, -50.0);
-    plane->SetPoint2(5.0, -50.0, 50.0);
+    plane->SetOrigin(x, -50.0, -50.0);
+    plane->SetPoint1(x, 50.0, -50.0);
+    plane->SetPoint2(x, -50.0, 50.0);
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputConnection(plane->GetOutputPort());
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
-    this->Renderer->RemoveAllViewProps();
     this->Renderer->AddActor(actor);
+    return actor->GetProperty();
+  }
+
+  /// Replaces all props by a wall, x = 5, in the medium between x = -2 and 5.
+  void ReplaceProps()
+  {
+    this->Renderer->RemoveAllViewProps();
+    this->AddWall(5.0);
     this->Medium->SetBounds(-2.0, 5.0, -1000.0, 1000.0, -1000.0, 1000.0);
   }
 
@@ -274,17 +281,9 @@ TEST_F(MediumTest, KeepsTranslucentSurfacesInFrontIfAsked)
   this->Renderer->SetBackground(1.0, 1.0, 1.0);
   this->Light->SetIntensity(1e-30);
   this->Medium->SetBounds(-1.0, 5.0, -1000.0, 1000.0, -1000.0, 1000.0);
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(0.7, -50.0, -50.0);
-  plane->SetPoint1(0.7, 50.0, -50.0);
-  plane->SetPoint2(0.7, -50.0, 50.0);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(plane->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->LightingOff();
-  actor->GetProperty()->SetOpacity(0.5);
-  this->Renderer->AddActor(actor);
+  vtkProperty* const pane = this->AddWall(0.7);
+  pane->LightingOff();
+  pane->SetOpacity(0.5);
   const int center = 4 * (Height / 2 * Width + Width / 2) - 4 * Width;
   const double toPane = std::exp(-0.5 * 1.7);
   const double through = std::exp(-0.5 * 6.0);
