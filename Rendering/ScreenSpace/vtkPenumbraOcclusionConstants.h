@@ -20,7 +20,7 @@ struct OcclusionConstants
   int Samples = 8;
 
   /// Number of steps in a frame of a static view: of FirstSamples samples, or of the rays of 16x16 pixels.
-  /// 0: as many as take FrameTime.
+  /// 0: as many as fit into FrameTime.
   int StepsPerFrame = 0;
 
   /// Number of frames in which a pixel takes Samples once while only the camera moves, if the kernel
