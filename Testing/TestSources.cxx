@@ -55,7 +55,6 @@ const std::map<std::string, int> LongFiles = {
   { "Filters/RayCasting/RayCasterInternals.h", 200 },
   { "Filters/RayCasting/Sampling/CameraRayTracer.h", 190 },
   { "Filters/RayCasting/Tiles/ScreenTriangle.h", 200 },
-  { "Filters/RayTracing/Embree/RayScene.cxx", 675 },
   { "Filters/RayTracing/Embree/RayScene.h", 175 },
   { "Filters/RayTracing/Embree/SliverTree.h", 197 },
   { "Filters/RayTracing/Shading/OwenSobolSequence.h", 203 },

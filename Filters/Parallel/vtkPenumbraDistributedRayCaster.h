@@ -13,8 +13,7 @@
  *
  * Surfaces of one input, or of one prop of the renderer, that look alike are one surface, without edges
  * where points of the pieces coincide. Colors, estimated errors and statistics have the same bits as those of
- * one rank with the pieces appended in the order of the ranks. Exceptions: CellId is that of the piece, and
- * where surfaces intersect, a ray may meet either of both, which depends on the other triangles.
+ * one rank with the pieces appended in the order of the ranks, except for CellId, which is that of the piece.
  * Every rank has the statistics of the whole image, and of its own exchange:
  * `Exchange/SceneBytes` (received), `Exchange/WholeBytes` (of all surfaces), `Exchange/Primitives` (after the
  * exchange), `Exchange/WholePrimitives`, `Exchange/PixelBytes` and `Exchange/Rays` (traced by the rank).

@@ -84,7 +84,7 @@ public:
   /// Throws std::bad_alloc or std::runtime_error, and Stopped if `progress`, which is called on the
   /// calling thread, returns true. If `isDynamic` is true, each surface has a BVH of its own below a
   /// common one, so that the time of Update() is that of what changes; rays take up to 6 % longer (of
-  /// 1,000 spheres). On an edge, hits may be those of other triangles than in another BVH.
+  /// 1,000 spheres).
   RayScene(
     const Scene& scene, int threads, const ProgressCallback& progress = {}, bool isDynamic = false);
   ~RayScene();

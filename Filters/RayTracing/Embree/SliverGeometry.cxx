@@ -5,7 +5,7 @@
 #include "RayTriangle.h"
 #include "SliverTree.h"
 #include "Surface.h"
-#include "TriangleGeometry.h"
+#include "SurfaceGeometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TriangleGeometry.h"
+#include "SurfaceGeometry.h"
 
 #include "BoxOverlap.h"
 #include "CoincidentSurfaces.h"

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Triangles as primitives of Embree's BVH, with the filters of their hits. Some surfaces are not in
-// Embree's BVH: a surface of slivers is one primitive, traced with a tree of oriented boxes; a
-// surface with PlanarCells has one primitive per cell.
-#ifndef penumbra_TriangleGeometry_h
-#define penumbra_TriangleGeometry_h
+// Triangles, spheres and tubes as primitives of Embree's BVH, with the filters of their hits. A surface
+// of slivers is one primitive, traced with a tree of oriented boxes; a surface with PlanarCells has one
+// primitive per cell. Spheres and tubes are intersected in double precision.
+#ifndef penumbra_SurfaceGeometry_h
+#define penumbra_SurfaceGeometry_h
 
 #include "EmbreeQuery.h"
 #include "TracedSurface.h"
@@ -22,6 +22,14 @@ RTCGeometry MakeTriangleGeometry(RTCDevice device, TracedSurface& traced);
 /// Hits are those of MakeTriangleGeometry(), except for rounding. Of several triangles in one plane,
 /// a ray hits the one of the lowest index.
 RTCGeometry MakeSliverGeometry(RTCDevice device, TracedSurface& traced);
+
+/**
+ * Returns the geometry of a surface of spheres or tubes; `traced` must outlive it. A ray hits the
+ * front of each shape, or its back if the front is nearer than the range of the ray. The back of a
+ * translucent shape is hit only if the ray begins inside: its opacity is that of one layer, as in
+ * VTK. Where translucent tubes are joined, a ray enters only one of them.
+ */
+RTCGeometry MakeRoundGeometry(RTCDevice device, TracedSurface& traced);
 
 }
 #endif
