@@ -11,9 +11,20 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <ctime>
 
 namespace penumbra
 {
+namespace
+{
+
+/// CPU seconds of all threads.
+double Seconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+}
 
 BakingMesh::BakingMesh(std::string name, vtkPolyData* data)
   : Name(std::move(name)),
@@ -58,14 +69,19 @@ BakingResult BakingCase::Bake(double tolerance, const OcclusionBakingConstants& 
   RecordOctree tree;
   tree.Initialize(glm::vec3(0.f), .5f);
   BakedValues baked;
+  const double start = Seconds();
   BakeOcclusion(input, this->Mesh->Rays, gatherer, { tolerance, { this->Radius }, true }, constants,
     tree, {}, baked);
   BakingResult result;
+  result.Seconds = Seconds() - start;
   for (std::size_t k = 0; k < this->Sites.size(); ++k)
   {
-    result.Error += std::pow(baked.Values[this->Sites[k]].Mean.x - this->References[k], 2.0);
+    const double error = baked.Values[this->Sites[k]].Mean.x - this->References[k];
+    result.Error += error * error;
+    result.Outliers += std::abs(error) > 3.0 * tolerance ? 1.0 : 0.0;
   }
   result.Error = std::sqrt(result.Error / static_cast<double>(this->Sites.size()));
+  result.Outliers /= static_cast<double>(this->Sites.size());
   const auto points = static_cast<double>(input.Sites.size());
   result.Rays = static_cast<double>(baked.BruteForceRays + baked.GatherRays) / points;
   result.Interpolated = static_cast<double>(baked.Interpolated) / points;

@@ -36,6 +36,8 @@ struct BakingResult
   double Rays = 0.0;         ///< per point of the mesh
   double Interpolated = 0.0; ///< fraction of the points with values from records
   double Denoised = 0.0;     ///< fraction of the points with denoised estimates
+  double Outliers = 0.0; ///< fraction of the reference points with more than 3 tolerances of error
+  double Seconds = 0.0;  ///< CPU seconds, without normals, acceleration structure and contacts
 };
 
 /// A mesh and a maximum distance of occluders.

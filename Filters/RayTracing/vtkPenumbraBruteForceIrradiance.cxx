@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 vtkStandardNewMacro(vtkPenumbraBruteForceIrradiance);
@@ -75,9 +76,9 @@ public:
   /// Traces rays until there are `count` of them, a power of two.
   Estimate TraceRays(std::uint32_t count)
   {
-    while (this->Samples.size() < count)
+    if (this->Samples.size() < count)
     {
-      this->TracePacket(count);
+      this->TraceBlock(count);
     }
     const auto ends = std::minmax_element(this->Samples.begin(), this->Samples.end());
     const double range = *ends.second - *ends.first;
@@ -94,27 +95,66 @@ public:
 private:
   static constexpr std::uint32_t PacketSize = 16;
 
-  /// Traces the next packet of rays, up to `count` rays in total.
-  void TracePacket(std::uint32_t count)
+  /// Traces the next rays, until there are `count` of them. Packets have rays of similar directions, which
+  /// visit the same nodes.
+  void TraceBlock(std::uint32_t count)
   {
     const auto first = static_cast<std::uint32_t>(this->Samples.size());
-    const std::uint32_t size = std::min(count - first, PacketSize);
-    Ray rays[PacketSize];
-    float occlusion[PacketSize];
-    for (std::uint32_t i = 0; i < PacketSize; ++i)
+    std::vector<glm::vec2> points(count - first);
+    for (std::uint32_t i = 0; i < points.size(); ++i)
     {
-      rays[i] = this->RayTemplate;
-      rays[i].Far = i < size ? this->RayTemplate.Far : -1.f;
-      const glm::vec2 at = this->Directions.At(first + i);
-      rays[i].Direction = this->Normals.ReflectAbove(this->Frame *
-        penumbra::DiskToHemisphere(penumbra::SampleUniformDiskConcentric(at.x, at.y)));
+      points[i] = this->Directions.At(first + i);
     }
-    this->ComputeOcclusion(rays, occlusion);
-    for (std::uint32_t i = 0; i < size; ++i)
+    const std::vector<std::uint32_t> order = SortByCell(points, PacketSize);
+    this->Samples.resize(count);
+    for (std::uint32_t begin = 0; begin < order.size(); begin += PacketSize)
     {
-      this->Samples.push_back(occlusion[i]);
-      this->Sum += occlusion[i];
+      const auto size = std::min<std::uint32_t>(order.size() - begin, PacketSize);
+      Ray rays[PacketSize];
+      float occlusion[PacketSize];
+      for (std::uint32_t i = 0; i < PacketSize; ++i)
+      {
+        rays[i] = this->RayTemplate;
+        rays[i].Far = i < size ? this->RayTemplate.Far : -1.f;
+        const glm::vec2 at = points[order[begin + std::min(i, size - 1)]];
+        rays[i].Direction = this->Normals.ReflectAbove(this->Frame *
+          penumbra::DiskToHemisphere(penumbra::SampleUniformDiskConcentric(at.x, at.y)));
+      }
+      this->ComputeOcclusion(rays, occlusion);
+      for (std::uint32_t i = 0; i < size; ++i)
+      {
+        this->Samples[first + order[begin + i]] = occlusion[i];
+      }
     }
+    this->Sum = std::accumulate(this->Samples.begin() + first, this->Samples.end(), this->Sum);
+  }
+
+  /// Returns the indices of points in the unit square, sorted by nearly square cells of which each has
+  /// about `size` points.
+  static std::vector<std::uint32_t> SortByCell(
+    const std::vector<glm::vec2>& points, std::uint32_t size)
+  {
+    std::uint32_t columns = 1;
+    std::uint32_t rows = 1;
+    while (columns * rows * size < points.size())
+    {
+      (columns > rows ? rows : columns) *= 2;
+    }
+    std::vector<std::uint32_t> ends(columns * rows);
+    std::vector<std::uint32_t> cells(points.size());
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+    {
+      cells[i] = static_cast<std::uint32_t>(points[i].y * static_cast<float>(rows)) * columns +
+        static_cast<std::uint32_t>(points[i].x * static_cast<float>(columns));
+      ++ends[cells[i]];
+    }
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<std::uint32_t> order(points.size());
+    for (auto i = static_cast<std::uint32_t>(points.size()); i-- > 0;)
+    {
+      order[--ends[cells[i]]] = i;
+    }
+    return order;
   }
 
   /// Computes the occlusion of each ray of a packet. Without falloff, any hit suffices; otherwise
