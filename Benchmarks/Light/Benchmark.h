@@ -24,7 +24,7 @@ struct LightBenchmark
   std::string Width;            ///< of the images of the part "occlusion", in pixels; empty: 500
   std::string Mesh;             ///< part of the names of its meshes; empty: all
   std::string InverseTolerance; ///< of its images; empty: 256
-  std::string Provider;         ///< of images: "brute-force" or "cache"; empty: joined pixels
+  std::string Provider;         ///< of images: see MakeProvider()
   ResultTable Results;
 
   /// Tolerance of light relative to that of the image, see vtkPenumbraRayCaster::SetLightTolerance().
@@ -57,8 +57,9 @@ void MeasurePanes(LightBenchmark& benchmark);
 void MeasureOcclusion(LightBenchmark& benchmark);
 void MeasureIndirect(LightBenchmark& benchmark);
 
-/// Returns the provider that an option names, see LightBenchmark::Provider.
-vtkSmartPointer<vtkPenumbraIrradianceProvider> MakeProvider(const std::string& name);
+/// Returns the provider "automatic", which chooses between records and joined pixels, "joined", "cache" or
+/// "brute-force". "": that of the program, "automatic" for indirect light (`isLight`), otherwise "joined".
+vtkSmartPointer<vtkPenumbraIrradianceProvider> MakeProvider(const std::string& name, bool isLight);
 
 /// CPU seconds of this process.
 inline double Seconds()

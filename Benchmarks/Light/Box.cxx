@@ -152,7 +152,7 @@ void MeasureBox(LightBenchmark& benchmark)
     caster->SetIndirectLight(true);
     caster->SetAlbedo(Albedo);
     caster->SetBounces(Bounces);
-    caster->SetIrradianceProvider(MakeProvider(benchmark.Provider));
+    caster->SetIrradianceProvider(MakeProvider(benchmark.Provider, true));
     caster->SetNumberOfThreads(1);
     const double start = Seconds();
     caster->Update();

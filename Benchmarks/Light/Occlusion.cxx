@@ -191,7 +191,7 @@ LightImage Cast(vtkRenderer* renderer, const int size[2], double tolerance, Effe
   caster->SetBounces(1);
   caster->SetNumberOfThreads(1);
   caster->SetGlobalWarningDisplay(0);
-  caster->SetIrradianceProvider(MakeProvider(provider));
+  caster->SetIrradianceProvider(MakeProvider(provider, effect == Effect::Indirect));
   const double start = Seconds();
   caster->Update();
   LightImage image;

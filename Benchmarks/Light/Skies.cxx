@@ -131,7 +131,7 @@ void MeasureImage(ResultTable& table, const std::string& provider, const std::st
   }
   caster->SetAlbedo(settings.Albedo);
   caster->SetBounces(settings.Bounces);
-  caster->SetIrradianceProvider(MakeProvider(provider));
+  caster->SetIrradianceProvider(MakeProvider(provider, true));
   caster->SetNumberOfThreads(1);
   const double start = Seconds();
   caster->Update();

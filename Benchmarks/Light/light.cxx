@@ -23,11 +23,13 @@ std::string Brief(double value)
   return text;
 }
 
-vtkSmartPointer<vtkPenumbraIrradianceProvider> MakeProvider(const std::string& name)
+vtkSmartPointer<vtkPenumbraIrradianceProvider> MakeProvider(const std::string& name, bool isLight)
 {
-  if (name == "cache")
+  if (name == "cache" || name == "automatic" || (name.empty() && isLight))
   {
-    return vtkSmartPointer<vtkPenumbraIrradianceCache>::New();
+    auto cache = vtkSmartPointer<vtkPenumbraIrradianceCache>::New();
+    cache->SetJoinPixels(name != "cache");
+    return cache;
   }
   vtkNew<vtkPenumbraBruteForceIrradiance> rays;
   rays->SetJoinPixels(name != "brute-force");
@@ -44,7 +46,7 @@ int main(int argc, char** argv)
   program.Name = "light";
   program.Title = "Light: measurements and targets";
   program.Usage = "--data FOLDER --output FOLDER [--povray PROGRAM] [--width N] [--mesh NAME] "
-                  "[--inverse-tolerance N] [--provider brute-force|cache] [--only "
+                  "[--inverse-tolerance N] [--provider automatic|joined|cache|brute-force] [--only "
                   "occlusion|indirect|skies|baking|emitters|box|panes|penumbrae|povray]";
   program.Values = { { "--data", &benchmark.Data, true }, { "--output", &benchmark.Output, true },
     { "--povray", &benchmark.PovRay }, { "--width", &benchmark.Width },

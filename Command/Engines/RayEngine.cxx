@@ -140,10 +140,19 @@ int FindVectorFormat(const std::string& path)
                                         : vtkPenumbraVectorExporter::SVG;
 }
 
-/// Returns true if occlusion or indirect light are interpolated between records.
-bool UsesCache(const RenderOptions& options)
+/// Returns true if --cache chooses between records and joined pixels.
+bool ChoosesCache(const RenderOptions& options)
 {
-  return options.Cache != "none" && !(options.Cache == "auto" && options.Gatherer == "rays");
+  return options.Cache == "auto" && options.Gatherer == "rays";
+}
+
+/// Returns true if occlusion or indirect light may be interpolated between records. Only joined pixels
+/// end at a time limit, and both quantities are joined if one is.
+bool MayUseCache(const RenderOptions& options)
+{
+  return ChoosesCache(options)
+    ? options.Light.Indirect && !options.AmbientOcclusion && options.TimeLimit == 0.0
+    : options.Cache != "none" && (options.AmbientOcclusion || options.Light.Indirect);
 }
 
 vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(
@@ -182,9 +191,10 @@ vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(
   }
   caster->SetAlbedo(light.Albedo);
   caster->SetBounces(light.Bounces);
-  if ((options.AmbientOcclusion || light.Indirect) && UsesCache(options))
+  if (MayUseCache(options))
   {
     vtkNew<vtkPenumbraIrradianceCache> cache;
+    cache->SetJoinPixels(ChoosesCache(options));
     cache->SetSpace(options.Cache == "screen" ? vtkPenumbraIrradianceCache::SCREEN
                                               : vtkPenumbraIrradianceCache::WORLD);
     if (options.Gatherer == "cube-map")

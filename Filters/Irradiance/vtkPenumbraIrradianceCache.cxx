@@ -7,6 +7,7 @@
 #include "Gathering/IrradianceConstants.h"
 #include "Records/Interreflection.h"
 #include "Records/PixelCandidates.h"
+#include "Records/RecordDensity.h"
 #include "Records/RecordPolyData.h"
 #include "Records/ViewRecords.h"
 #include "Scene.h"
@@ -74,7 +75,8 @@ struct vtkPenumbraIrradianceCache::Internals
     BuildKey Key;
     std::unique_ptr<Gatherer> CustomGatherer; ///< null for rays
     Scene Units; ///< only origin and scale, because records may outlive their scene
-    std::unique_ptr<ViewRecords> Records;
+    std::unique_ptr<ViewRecords> Records; ///< null if too many are needed
+    long long DensityRays = 0;            ///< that decided whether records are made
 
     /// Converts a point in world coordinates.
     ShadingPoint ToShadingPoint(
@@ -93,6 +95,10 @@ struct vtkPenumbraIrradianceCache::Internals
 
     InterpolationResult LookUp(const ShadingPoint& shadingPoint, bool gatherIfMissing) const
     {
+      if (!this->Records)
+      {
+        return {};
+      }
       return gatherIfMissing ? this->Records->LookUpOrGather(shadingPoint)
                              : this->Records->LookUp(shadingPoint);
     }
@@ -113,6 +119,8 @@ struct vtkPenumbraIrradianceCache::Internals
     vtkPenumbraIrradianceCache* self, double accepted, double radiance);
   static float NormalAngle(
     vtkPenumbraIrradianceCache* self, const RecordPlacementSettings& settings);
+  static bool UsesRecords(vtkPenumbraIrradianceCache* self, QuantityCache& cache,
+    const RayGatherer& gatherer, const RecordPlacementSettings& settings, const Progress& progress);
   bool MakeRecords(vtkPenumbraIrradianceCache* self, penumbra::Quantities quantity,
     const RayGatherer& rayGatherer, const RecordPlacementSettings& settings,
     const Progress& progress);
@@ -214,6 +222,19 @@ float vtkPenumbraIrradianceCache::Internals::NormalAngle(
     : RecordPlacement::ComputeNormalAngle(settings.Tolerance);
 }
 
+/// Returns false, and clears the records, if images join their pixels instead.
+bool vtkPenumbraIrradianceCache::Internals::UsesRecords(vtkPenumbraIrradianceCache* self,
+  QuantityCache& cache, const RayGatherer& gatherer, const RecordPlacementSettings& settings,
+  const Progress& progress)
+{
+  cache.Records.reset();
+  cache.DensityRays = 0;
+  return !self->JoinPixels ||
+    NeedsFewRecords(
+      gatherer.GetRays(), gatherer, settings, NormalAngle(self, settings),
+      [&](double) { return progress && progress(0.0); }, cache.DensityRays);
+}
+
 bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCache* self,
   penumbra::Quantities quantity, const RayGatherer& rayGatherer,
   const RecordPlacementSettings& settings, const Progress& progress)
@@ -246,6 +267,13 @@ bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCac
   return self->IsLazy() || cache.Records->PlaceLevels(progress);
 }
 
+bool vtkPenumbraIrradianceCache::JoinsPixels(bool occlusion, bool irradiance) const
+{
+  const Internals& self = *this->Implementation;
+  return this->JoinPixels &&
+    ((occlusion && !self.Occlusion.Records) || (irradiance && !self.Irradiance.Records));
+}
+
 bool vtkPenumbraIrradianceCache::Begin(const penumbra::RayScene& rays, const Occluders& occluders,
   double tolerance, const Progress& progress)
 {
@@ -263,8 +291,9 @@ bool vtkPenumbraIrradianceCache::Begin(const penumbra::RayScene& rays, const Occ
     rays, DistanceFalloff::InScene(occluders.Radius, occluders.Falloff, rays.GetScene().Scale));
   try
   {
-    if (!self.MakeRecords(this, Quantities::Occlusion, *self.Occluders,
-          Internals::MakeSettings(this, tolerance, 1.0), progress))
+    const RecordPlacementSettings settings = Internals::MakeSettings(this, tolerance, 1.0);
+    if (Internals::UsesRecords(this, self.Occlusion, *self.Occluders, settings, progress) &&
+      !self.MakeRecords(this, Quantities::Occlusion, *self.Occluders, settings, progress))
     {
       return false;
     }
@@ -334,7 +363,12 @@ bool vtkPenumbraIrradianceCache::BeginIrradiance(
   };
   try
   {
-    if (!self.Light->Build(Viewpoints(rays, before), before) ||
+    if (!Internals::UsesRecords(
+          this, self.Irradiance, self.Light->GetGatherer(), settings, progress))
+    {
+      self.BruteForce->BeginIrradiance(light, tolerance);
+    }
+    else if (!self.Light->Build(Viewpoints(rays, before), before) ||
       !self.MakeRecords(this, Quantities::Irradiance, self.Light->GetGatherer(), settings, after))
     {
       return false;
@@ -352,6 +386,10 @@ vtkPenumbraIrradianceProvider::Light vtkPenumbraIrradianceCache::Irradiance(cons
   const double normal[3], double tolerance, const double geometricNormal[3]) const
 {
   const Internals& self = *this->Implementation;
+  if (!self.Irradiance.Records)
+  {
+    return self.BruteForce->Irradiance(point, normal, tolerance, geometricNormal);
+  }
   Light light;
   const ShadingPoint shadingPoint = self.Irradiance.ToShadingPoint(point, normal, geometricNormal);
   InterpolationResult found = self.Irradiance.LookUp(shadingPoint, this->IsLazy());
@@ -383,6 +421,7 @@ void vtkPenumbraIrradianceCache::Report(vtkFieldData* statistics) const
       bytes += cache->Records->GetBytes();
       rays += cache->Records->GetRays();
     }
+    rays += cache->DensityRays;
   }
   if (self.Light)
   {
@@ -428,6 +467,7 @@ void vtkPenumbraIrradianceCache::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NormalAngle: " << this->NormalAngle << "\n";
   os << indent << "RaysPerRecord: " << this->RaysPerRecord << "\n";
   os << indent << "Order: " << this->GetOrderAsString() << "\n";
+  os << indent << "JoinPixels: " << this->JoinPixels << "\n";
   os << indent << "Gatherer: " << this->Implementation->CustomGatherer.Get() << "\n";
   os << indent << "InitialRecords: " << this->Implementation->InitialRecords.Get() << "\n";
 }

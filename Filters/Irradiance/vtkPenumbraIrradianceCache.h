@@ -112,6 +112,17 @@ public:
   vtkGetMacro(RaysPerRecord, int);
   ///@}
 
+  ///@{
+  /**
+   * If on, records are used only for quantities of which they need few, as in rooms and on smooth
+   * surfaces. Otherwise images estimate them for all pixels together, as with
+   * vtkPenumbraBruteForceIrradiance. Default: off.
+   */
+  vtkSetMacro(JoinPixels, bool);
+  vtkGetMacro(JoinPixels, bool);
+  vtkBooleanMacro(JoinPixels, bool);
+  ///@}
+
   /** Times at which records are made. */
   enum Orders
   {
@@ -156,6 +167,8 @@ public:
   /** Copies the irradiance records of the last reflection to `records`, like GetRecords(). */
   void GetIrradianceRecords(vtkPolyData* records) const;
 
+  bool JoinsPixels(bool occlusion, bool irradiance) const override;
+
   bool Begin(const penumbra::RayScene& scene, const Occluders& occluders, double tolerance,
     const Progress& progress = {}) override;
   Estimate Occlusion(const double point[3], const double normal[3],
@@ -194,6 +207,7 @@ private:
   double NormalAngle = 0.0;
   int RaysPerRecord = 0;
   int Order = LEVELS;
+  bool JoinPixels = false;
 };
 
 #endif

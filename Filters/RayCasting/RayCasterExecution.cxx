@@ -132,15 +132,15 @@ vtkPenumbraRayCaster::Internals::BeginExecution(vtkPenumbraRayCaster* self)
   penumbra::CameraRayTracer& tracer = execution->Tracer;
   const double lightTolerance = self->GetEffectiveLightTolerance();
   tracer.SetPenumbraTolerance(SampleToleranceFactor * lightTolerance);
-  penumbra::RenderSettings& settings = execution->Settings;
-  settings = MakeSettings(self);
-  execution->Joins = this->JoinsPixels(self);
   execution->UsesProvider = self->GetAmbientOcclusion() || self->IndirectLight ||
     (self->GeometryArrays && this->Constants.OcclusionArray);
   if (execution->UsesProvider && !this->BeginProvider(self))
   {
     return nullptr;
   }
+  penumbra::RenderSettings& settings = execution->Settings;
+  settings = MakeSettings(self);
+  execution->Joins = this->JoinsPixels(self);
   if (execution->Joins)
   {
     const OcclusionSettings occlusion = this->FindOcclusion(self);

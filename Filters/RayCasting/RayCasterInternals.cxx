@@ -304,7 +304,9 @@ double vtkPenumbraRayCaster::Internals::FindOcclusionRadius(vtkPenumbraRayCaster
 
 bool vtkPenumbraRayCaster::Internals::JoinsPixels(vtkPenumbraRayCaster* self) const
 {
-  return this->IrradianceProvider->JoinsPixels() &&
+  const bool occlusion = this->FindOcclusion(self).On;
+  const bool irradiance = self->IndirectLight && self->Albedo > 0.0;
+  return (occlusion || irradiance) &&
     this->Constants.CoverageMethod != penumbra::CoverageMethods::Uniform &&
-    (this->FindOcclusion(self).On || (self->IndirectLight && self->Albedo > 0.0));
+    this->IrradianceProvider->JoinsPixels(occlusion, irradiance);
 }

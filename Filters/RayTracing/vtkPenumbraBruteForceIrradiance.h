@@ -49,12 +49,15 @@ public:
     const double geometricNormal[3] = nullptr) const override;
 
   /** Returns JoinPixels. */
-  bool JoinsPixels() const override { return this->JoinPixels; }
+  bool JoinsPixels(bool vtkNotUsed(occlusion), bool vtkNotUsed(irradiance)) const override
+  {
+    return this->JoinPixels;
+  }
 
   ///@{
   /**
    * If on, images estimate their ambient occlusion and indirect light for all pixels together, which takes
-   * far fewer rays, unless there is a medium. If off, each point is estimated alone. Default: on.
+   * far fewer rays. If off, each point is estimated alone. Default: on.
    */
   vtkSetMacro(JoinPixels, bool);
   vtkGetMacro(JoinPixels, bool);

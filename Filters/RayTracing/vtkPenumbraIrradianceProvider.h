@@ -106,10 +106,14 @@ public:
   }
 
   /**
-   * Returns true if an image may estimate its ambient occlusion for all pixels together, and ask the
-   * provider only where that is not possible. Default: false.
+   * Returns true if an image may estimate its ambient occlusion, its irradiance, or both, for all pixels
+   * together, and ask the provider only where that is not possible. Called after Begin() and
+   * BeginIrradiance(). Default: false.
    */
-  virtual bool JoinsPixels() const { return false; }
+  virtual bool JoinsPixels(bool vtkNotUsed(occlusion), bool vtkNotUsed(irradiance)) const
+  {
+    return false;
+  }
 
   /**
    * Estimated irradiance (red, green, blue), its standard error, and the number of rays traced for

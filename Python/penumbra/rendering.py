@@ -91,8 +91,15 @@ class Settings:
                             f"{self.cache.GetClassName()}")
 
 
-def _make_provider(cache: Any) -> Any:
-    """Return a provider of ambient occlusion and indirect light, None for the default of the ray caster."""
+def _make_provider(cache: Any, automatic: bool) -> Any:
+    """Return a provider of ambient occlusion and indirect light, None for the default of the ray caster.
+
+    `automatic` lets the default, None, choose between records and joined pixels.
+    """
+    if cache is None and automatic:
+        records = vtkPenumbraIrradianceCache()
+        records.JoinPixelsOn()
+        return records
     if cache in ("world", "screen"):
         records = vtkPenumbraIrradianceCache()
         records.SetSpace(records.SCREEN if cache == "screen" else records.WORLD)
@@ -180,7 +187,9 @@ def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> tup
     caster.SetEnvironmentColor(settings.environment_color)
     caster.SetAlbedo(settings.albedo)
     caster.SetBounces(settings.bounces)
-    caster.SetIrradianceProvider(_make_provider(settings.cache))
+    # Only joined pixels end at a time limit, and both quantities are joined if one is.
+    automatic = settings.indirect_light and not caster.GetAmbientOcclusion() and settings.time_limit == 0.0
+    caster.SetIrradianceProvider(_make_provider(settings.cache, automatic))
     caster.SetDPI(settings.dpi)
     caster.SetLayers(False)  # cast_renderers draws all renderers, with the effects of each
     caster.SetPointRadius(settings.point_radius)
@@ -432,7 +441,8 @@ def render(
         As in `irradiance`.
     cache : {"world", "screen", "none"} or vtkPenumbraIrradianceProvider, optional
         Provider of ambient occlusion and indirect light. "world" or "screen": interpolated between records in world
-        space or over the image; "none", the default: rays, which neighboring pixels share for occlusion.
+        space or over the image; "none": rays, which neighboring pixels share. None, the default: "none", but "world"
+        for indirect light without ambient occlusion and time limit if few records are enough, as in rooms.
     point_radius : float
         Radius of the spheres that represent points, in world units. Range: [0, 1e30]. Default: 0, points have their
         size in pixels.

@@ -4,6 +4,7 @@
 // Indirect light of neighboring pixels that is estimated together: accuracy against a closed form and
 // brute force, independence of the requested extent and of threads, and bright emitters.
 #include "vtkPenumbraBruteForceIrradiance.h"
+#include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraRayCaster.h"
 
 #include "vtkActor.h"
@@ -85,6 +86,19 @@ protected:
     vtkNew<vtkPenumbraBruteForceIrradiance> provider;
     provider->SetJoinPixels(joins);
     this->Caster->SetIrradianceProvider(provider);
+  }
+
+  /// Uses records, at any cost or only where few are needed.
+  void UseRecords(bool automatic)
+  {
+    vtkNew<vtkPenumbraIrradianceCache> provider;
+    provider->SetJoinPixels(automatic);
+    this->Caster->SetIrradianceProvider(provider);
+  }
+
+  double CountRecords()
+  {
+    return this->Caster->GetStatistics()->GetArray("Cache/Records")->GetTuple1(0);
   }
 
   std::vector<float> Render()
@@ -259,4 +273,45 @@ TEST_F(JoinedIndirectLight, IsBlackWithoutAnyLight)
   {
     ASSERT_EQ(value, 0.f);
   }
+}
+
+// On the floor and the smooth sphere, few of the coarse points need a record.
+TEST_F(JoinedIndirectLight, GivesWayToRecordsOnSmoothSurfaces)
+{
+  this->ShowSphereInSunlight();
+  this->Caster->SetResolution(256, 256);
+  this->Caster->SetBounces(3);
+  this->UseRecords(true);
+  const std::vector<float> automatic = this->Render();
+  EXPECT_GT(this->CountRecords(), 0.0);
+  this->UseRecords(false);
+  EXPECT_EQ(this->Render(), automatic);
+  // Other quantities and settings of the same provider do not change what is chosen.
+  this->UseRecords(true);
+  this->Caster->AmbientOcclusionOn();
+  this->Render();
+  this->Caster->AmbientOcclusionOff();
+  EXPECT_EQ(this->Render(), automatic);
+}
+
+// Spheres of a few pixels each: nearly every coarse point needs a record.
+TEST_F(JoinedIndirectLight, IsKeptOnRoughSurfaces)
+{
+  this->ShowSphereInSunlight();
+  this->Caster->SetResolution(96, 96);
+  this->Caster->SetLightTolerance(10.0 * LightTolerance);
+  for (int i = 0; i < 400; ++i)
+  {
+    vtkNew<vtkSphereSource> pebble;
+    pebble->SetRadius(0.12);
+    pebble->SetCenter(-2.4 + 0.25 * (i % 20), -2.4 + 0.25 * (i / 20), 0.05 * (i % 3));
+    this->Add(pebble);
+  }
+  this->Join(true);
+  const std::vector<float> joined = this->Render();
+  this->UseRecords(true);
+  EXPECT_EQ(this->Render(), joined);
+  EXPECT_EQ(this->CountRecords(), 0.0);
+  const vtkPenumbraIrradianceProvider* provider = this->Caster->GetIrradianceProvider();
+  EXPECT_TRUE(provider->JoinsPixels(false, true));
 }

@@ -9,6 +9,7 @@
 #include "Embree/RayScene.h"
 #include "Scenes/Solids.h"
 
+#include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
@@ -362,4 +363,39 @@ TEST(vtkPenumbraIrradianceCache, MultipliesOcclusionByOpacity)
     }
     EXPECT_LE(std::sqrt(square / count), .005) << opacity;
   }
+}
+
+TEST(vtkPenumbraIrradianceCache, JoinsPixelsOnlyIfItNeedsManyRecords)
+{
+  Scene smooth;
+  MakeSphereScene(smooth, 1.5);
+  Scene rough;
+  for (int i = 0; i < 400; ++i)
+  {
+    AddSphere(rough, { .25 * (i % 20) - 2.5, .25 * (i / 20) - 2.5, .1 * (i % 3) }, .15, 20);
+  }
+  LookAt(rough, { 0.0, 0.0, 12.0 }, { 0.0, .01, 0.0 }, 30.0, Size, Size);
+  const RayScene smoothRays(smooth, 0);
+  const RayScene roughRays(rough, 0);
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  cache->JoinPixelsOn();
+  cache->Begin(smoothRays, Infinity, .01);
+  EXPECT_FALSE(cache->JoinsPixels(true, false));
+  EXPECT_GT(GetStatistic(cache, "Cache/Records"), 0.0);
+  cache->Begin(roughRays, Infinity, .01);
+  EXPECT_TRUE(cache->JoinsPixels(true, false));
+  EXPECT_EQ(GetStatistic(cache, "Cache/Records"), 0.0);
+  // Points that are asked for alone are estimated without records.
+  vtkNew<vtkPenumbraBruteForceIrradiance> rays;
+  rays->Begin(roughRays, Infinity, .01);
+  const CacheView view{ rough, CandidatesInImage(roughRays, 2) };
+  ASSERT_FALSE(view.Sites.empty());
+  for (const RecordCandidate& site : view.Sites)
+  {
+    const glm::dvec3 at = view.World(site);
+    const glm::dvec3 normal(site.Normal);
+    EXPECT_EQ(cache->Occlusion(&at.x, &normal.x).Value, rays->Occlusion(&at.x, &normal.x).Value);
+  }
+  cache->JoinPixelsOff();
+  EXPECT_FALSE(cache->JoinsPixels(true, true));
 }
