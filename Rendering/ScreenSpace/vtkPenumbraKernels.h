@@ -39,7 +39,7 @@ public:
 
   /**
    * Error that remains with any number of samples: RMSE against ray tracing in the worst scene of
-   * `./penumbra benchmark ambient-occlusion`.
+   * the benchmark ambient-occlusion.
    */
   static double GetBias(int kernel);
 
