@@ -90,7 +90,7 @@ int main(int argc, char* argv[])
   caster->SetBounces(4);
   caster->SetIrradianceProvider(cache);
   caster->SetLightTolerance(0.01);
-  caster->SetResolution(300, 300);
+  caster->SetResolution(800, 800);
   caster->Update();
 
   const auto count = [&](const char* name) {
