@@ -91,21 +91,16 @@ public:
     }
   }
 
-  std::vector<std::string> Take()
+  std::string Take(int rank)
   {
-    std::vector<std::string> messages;
-    for (std::size_t rank = 0; rank < this->Parts.size(); ++rank)
+    ByteWriter textures;
+    textures.Add(static_cast<std::uint64_t>(this->Textures[rank].size()));
+    for (const auto& [hash, texture] : this->Textures[rank])
     {
-      ByteWriter textures;
-      textures.Add(static_cast<std::uint64_t>(this->Textures[rank].size()));
-      for (const auto& [hash, texture] : this->Textures[rank])
-      {
-        textures.Add(hash);
-        AddTexture(*texture, textures);
-      }
-      messages.push_back(textures.Take() + this->Parts[rank].Take());
+      textures.Add(hash);
+      AddTexture(*texture, textures);
     }
-    return messages;
+    return textures.Take() + this->Parts[rank].Take();
   }
 
 private:
@@ -260,7 +255,8 @@ void DistributedScene::Exchange(Scene& scene, bool needsAll)
     scene.Surfaces[i] = Surface(); // frees the memory
   }
   const long long before = this->Ranks.GetReceivedBytes();
-  std::vector<std::string> received = this->Ranks.Exchange(messages.Take());
+  std::vector<std::string> received =
+    this->Ranks.Exchange([&](int rank) { return messages.Take(rank); });
   this->Counts.SceneBytes = this->Ranks.GetReceivedBytes() - before;
   scene.Surfaces = Assemble(united, received);
   this->Count(scene, bytes);
@@ -297,10 +293,9 @@ void DistributedScene::Compose(
   {
     AddPixels(part, part->GetExtent(), own);
   }
-  std::vector<std::string> messages(static_cast<std::size_t>(this->Ranks.GetCount()));
-  messages[0] = own.Take();
   const long long before = this->Ranks.GetReceivedBytes();
-  messages = this->Ranks.Exchange(std::move(messages));
+  const std::vector<std::string> messages =
+    this->Ranks.Exchange([&](int rank) { return rank == 0 ? own.Take() : std::string(); });
   this->Counts.PixelBytes += this->Ranks.GetReceivedBytes() - before;
   if (!this->IsFirst())
   {
@@ -327,16 +322,16 @@ void DistributedScene::Deliver(const int extent[6], vtkImageData* image)
   ByteWriter own;
   own.AddArray(std::vector<int>(extent, extent + 6));
   const std::vector<std::string> extents = this->Ranks.AllGather(own.Take());
-  std::vector<std::string> messages(extents.size());
-  for (std::size_t rank = 1; this->IsFirst() && rank < messages.size(); ++rank)
-  {
-    ByteReader reader(extents[rank]);
-    ByteWriter writer;
-    AddPixels(image, reader.GetArray<int>().data(), writer);
-    messages[rank] = writer.Take();
-  }
   const long long before = this->Ranks.GetReceivedBytes();
-  messages = this->Ranks.Exchange(std::move(messages));
+  const std::vector<std::string> messages = this->Ranks.Exchange([&](int rank) {
+    ByteWriter writer;
+    if (this->IsFirst() && rank > 0)
+    {
+      ByteReader reader(extents[rank]);
+      AddPixels(image, reader.GetArray<int>().data(), writer);
+    }
+    return writer.Take();
+  });
   this->Counts.PixelBytes += this->Ranks.GetReceivedBytes() - before;
   if (this->IsFirst())
   {

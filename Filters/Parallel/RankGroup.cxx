@@ -73,29 +73,28 @@ std::vector<std::string> RankGroup::AllGather(const std::string& message)
   return this->GatherAll(message);
 }
 
-// In each round, every rank has one partner. The lower one of both sends first.
-std::vector<std::string> RankGroup::Exchange(std::vector<std::string> messages)
+// In each round, every rank has one partner. The lower one of both sends first. One message is made at a time.
+std::vector<std::string> RankGroup::Exchange(const std::function<std::string(int)>& make)
 {
   this->Begin(Steps::Exchange, {});
-  std::vector<std::string> received(messages.size());
+  std::vector<std::string> received(static_cast<std::size_t>(this->Count));
   for (int round = 0; round < this->Count; ++round)
   {
     const int partner = (round - this->Rank + this->Count) % this->Count;
     if (partner == this->Rank)
     {
-      received[partner] = std::move(messages[partner]);
+      received[partner] = make(partner);
       continue;
     }
     if (this->Rank < partner)
     {
-      this->Send(messages[partner], partner);
+      this->Send(make(partner), partner);
     }
     received[partner] = this->Receive(partner);
     if (this->Rank > partner)
     {
-      this->Send(messages[partner], partner);
+      this->Send(make(partner), partner);
     }
-    messages[partner] = std::string(); // frees the memory
   }
   return received;
 }

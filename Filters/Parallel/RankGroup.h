@@ -6,6 +6,7 @@
 #ifndef penumbra_RankGroup_h
 #define penumbra_RankGroup_h
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,8 +29,8 @@ public:
   /// Returns the messages of all ranks, by rank.
   std::vector<std::string> AllGather(const std::string& message);
 
-  /// Sends messages[r] to rank r. Returns the messages for this rank, by sender.
-  std::vector<std::string> Exchange(std::vector<std::string> messages);
+  /// Sends make(r) to rank r. Returns the messages for this rank, by sender.
+  std::vector<std::string> Exchange(const std::function<std::string(int)>& make);
 
   /// Passes a message from rank to rank: each replaces it by what `change` makes of it. Returns that of the
   /// last rank.

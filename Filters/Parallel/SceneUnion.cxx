@@ -49,6 +49,8 @@ Summary::Summary(const Surface& surface, int rank, std::size_t index)
   }
   this->Traits.PositionBounds = ComputePositionBounds(surface);
   this->Traits.DrawnBounds = ComputeDrawnBounds(surface);
+  this->Traits.Primitives =
+    surface.Instances ? surface.Triangles.size() + surface.Instances->GetCount() : this->Count;
   this->Traits.HasTriangles = !surface.Triangles.empty();
   this->Traits.IsTranslucent = surface.IsTranslucent();
   this->Traits.IsUnsteady = HasUnsteadyNormals(surface);
@@ -114,6 +116,7 @@ struct Union
     WholeSurface& whole = *this->Surface.Whole;
     whole.PositionBounds.Add(part.Traits.PositionBounds);
     whole.DrawnBounds.Add(part.Traits.DrawnBounds);
+    whole.Primitives += part.Traits.Primitives;
     whole.HasTriangles |= part.Traits.HasTriangles;
     whole.IsTranslucent |= part.Traits.IsTranslucent;
     whole.IsUnsteady |= part.Traits.IsUnsteady;

@@ -3,6 +3,7 @@
 #include "SurfacePart.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -70,15 +71,63 @@ std::vector<Index> ListAll(std::size_t count)
   return all;
 }
 
-/// Appends an array of indices into positions, of which there were `offset` before.
+/// Seven bits of a packed index; the eighth bit of a byte says that more follow.
+constexpr int PackedBits = 7;
+constexpr Index MoreBytes = 1u << PackedBits;
+
+/// Adds indices, or vectors of them, as their differences, of which small ones take a byte.
 template <typename T>
-void AppendIndices(ByteReader& bytes, Index offset, std::vector<T>& indices)
+void AddIndices(const std::vector<T>& values, ByteWriter& bytes)
 {
-  const std::size_t before = indices.size();
-  bytes.AppendArray(indices);
-  for (std::size_t i = before; i < indices.size(); ++i)
+  std::vector<unsigned char> packed;
+  Index last = 0;
+  for (const T& value : values)
   {
-    indices[i] += offset;
+    Index indices[sizeof(T) / sizeof(Index)];
+    std::memcpy(indices, &value, sizeof(T));
+    for (const Index index : indices)
+    {
+      const Index difference = index - last;
+      // 0, -1, 1, -2, 2, ... as 0, 1, 2, 3, 4, ...
+      Index rest = difference >> 31 ? ~(difference << 1) : difference << 1;
+      for (; rest >= MoreBytes; rest >>= PackedBits)
+      {
+        packed.push_back(static_cast<unsigned char>(rest | MoreBytes));
+      }
+      packed.push_back(static_cast<unsigned char>(rest));
+      last = index;
+    }
+  }
+  bytes.Add(static_cast<std::uint64_t>(values.size()));
+  bytes.AddArray(packed);
+}
+
+/// Appends the indices of AddIndices(), increased by `offset`.
+template <typename T>
+void AppendIndices(ByteReader& bytes, Index offset, std::vector<T>& values)
+{
+  const auto count = bytes.Get<std::uint64_t>();
+  const auto packed = bytes.GetArray<unsigned char>();
+  auto byte = packed.begin();
+  Index last = offset;
+  values.reserve(values.size() + count + 1);
+  for (std::uint64_t i = 0; i < count; ++i)
+  {
+    Index indices[sizeof(T) / sizeof(Index)];
+    for (Index& index : indices)
+    {
+      Index rest = 0;
+      int shift = 0;
+      for (bool hasMore = true; hasMore && byte != packed.end(); shift += PackedBits)
+      {
+        hasMore = (*byte & MoreBytes) != 0;
+        rest |= (*byte++ & (MoreBytes - 1)) << shift;
+      }
+      last += rest & 1u ? ~(rest >> 1) : rest >> 1;
+      index = last;
+    }
+    values.emplace_back();
+    std::memcpy(static_cast<void*>(&values.back()), indices, sizeof(T));
   }
 }
 
@@ -146,9 +195,9 @@ void AddPart(const Surface& surface, const std::vector<Index>& units, ByteWriter
       cells.push_back(surface.GetCellId(primitive));
     }
   }
-  bytes.AddArray(triangles);
-  bytes.AddArray(segments);
-  bytes.AddArray(cells);
+  AddIndices(triangles, bytes);
+  AddIndices(segments, bytes);
+  AddIndices(cells, bytes);
   bytes.AddArray(Select(surface.TriangleNormals, primitives));
   bytes.AddArray(Select(surface.CellColors, primitives));
   bytes.Add(surface.Instances != nullptr);
@@ -206,7 +255,7 @@ void AppendPart(ByteReader& bytes, Surface& surface)
   }
   AppendIndices(bytes, offset, surface.Triangles);
   AppendIndices(bytes, offset, surface.Segments);
-  bytes.AppendArray(surface.CellIds);
+  AppendIndices(bytes, 0, surface.CellIds);
   bytes.AppendArray(surface.TriangleNormals);
   bytes.AppendArray(surface.CellColors);
   if (bytes.Get<bool>())

@@ -21,7 +21,7 @@ std::size_t CountUnits(const Surface& surface);
 /// their order.
 void AddPart(const Surface& surface, const std::vector<std::uint32_t>& units, ByteWriter& bytes);
 
-/// Returns the number of bytes that AddPart() adds for all units of a surface.
+/// Returns the number of bytes of the arrays that AddPart() adds, for all units of a surface.
 std::size_t CountBytes(const Surface& surface);
 
 /// Appends a part to a surface of the same appearance.

@@ -27,6 +27,7 @@ struct WholeSurface
 {
   AxisAlignedBox PositionBounds; ///< of the positions, if it has triangles; see CoincidentSurfaces
   AxisAlignedBox DrawnBounds;    ///< of the primitives
+  std::size_t Primitives = 0;    ///< number; of Instances, that of instances and triangles
   bool HasTriangles = false;     ///< not those of Instances without an instance
   bool IsTranslucent = false;    ///< see Surface::IsTranslucent()
   bool MayCoincideWithItself = false; ///< see CoincidentSurfaces
@@ -259,8 +260,7 @@ inline RoundShape Surface::GetRoundShape(std::uint32_t primitive) const
     this->GetRadius(ends.y), this->HasFlatEnds };
 }
 
-// The cross product underflows in single precision for triangles of about 1e-20 in size. Their
-// normal is computed in double precision and normalized.
+// In single precision, the cross product underflows for triangles of about 1e-20 in size.
 inline glm::vec3 Surface::ComputeNormal(std::uint32_t triangle) const
 {
   const auto [a, b, c] = this->GetPoints(triangle);

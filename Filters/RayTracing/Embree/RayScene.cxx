@@ -97,8 +97,9 @@ std::size_t CountPrimitives(const Scene& scene)
   std::size_t count = 0;
   for (const Surface& surface : scene.Surfaces)
   {
-    count += surface.Instances ? surface.Triangles.size() + surface.Instances->GetCount()
-                               : surface.GetNumberOfPrimitives();
+    count += surface.Whole ? surface.Whole->Primitives
+      : surface.Instances  ? surface.Triangles.size() + surface.Instances->GetCount()
+                           : surface.GetNumberOfPrimitives();
   }
   return count;
 }
