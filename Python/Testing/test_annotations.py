@@ -20,8 +20,9 @@ def make(add):
 
 def differing(rays, raster):
     """Return the fraction of pixels outside of the range of the pixel of the rasterizer and its neighbors."""
+    rows, columns = rays.shape[:2]
     padded = np.pad(raster.astype(int), ((1, 1), (1, 1), (0, 0)), "edge")
-    parts = [padded[j:j + SIZE[1], i:i + SIZE[0]] for j in range(3) for i in range(3)]
+    parts = [padded[j:j + rows, i:i + columns] for j in range(3) for i in range(3)]
     low, high = np.min(parts, axis=0), np.max(parts, axis=0)
     return np.mean(np.any((rays < low - 8) | (rays > high + 8), axis=2))
 
@@ -79,3 +80,32 @@ def test_labels_behind_a_surface_are_hidden():
     assert dark[0] > 20
     assert dark[1] == dark[0]
     assert dark[2] == 0
+
+
+# With more samples than one, the window has the depths of samples, not of centers of pixels: at silhouettes, these decide.
+@pytest.mark.parametrize("size", [(240, 180), (300, 300), (640, 480)])
+def test_labels_at_silhouettes_are_those_of_vtk_with_one_sample_per_pixel(size):
+    mesh = pyvista.Sphere(theta_resolution=8, phi_resolution=8)
+    plotter = pyvista.Plotter(off_screen=True, window_size=size, lighting="none")
+    plotter.render_window.SetMultiSamples(0)
+    plotter.set_background("white")
+    plotter.add_mesh(mesh, color="tan")
+    plotter.add_point_labels(mesh.points, ["X"] * mesh.n_points, point_size=1, font_size=12)
+    plotter.show(auto_close=False)
+    assert differing(plotter.penumbra.ray_cast(), plotter.screenshot(return_img=True)) < 0.0005
+    plotter.close()
+
+
+def test_lines_of_charts_cover_the_pixels_of_vtk():
+    for location, length in (((0.0, 0.0), (1.0, 1.0)), ((0.1, 0.1), (0.8, 0.8))):
+        plotter = pyvista.Plotter(off_screen=True, window_size=SIZE)
+        chart = pyvista.Chart2D(size=length, loc=location)
+        chart.line([0, 1], [0, 1])
+        plotter.add_chart(chart)
+        plotter.show(auto_close=False)
+        # The border of a chart of the size of the window is outside of its last pixels.
+        lines = [[np.flatnonzero((image[..., :3] < 140).all(axis=2).mean(axis=axis) > 0.75).tolist() for axis in (0, 1)]
+                 for image in (plotter.penumbra.ray_cast(), plotter.screenshot(return_img=True))]
+        assert lines[0] == lines[1]
+        assert all(0 < line < SIZE[axis] - 1 for axis in (0, 1) for line in lines[0][axis])
+        plotter.close()

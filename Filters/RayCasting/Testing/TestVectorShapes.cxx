@@ -28,6 +28,8 @@ using namespace penumbra_testing;
 constexpr double Precision = 1.0 / 255.0;
 // Where triangles are as small as pixels, several share a pixel and its colors are blended in turn.
 constexpr double PrecisionOfSmallTriangles = 2.0 / 255.0;
+// Lines have one color for pieces of 16 pixels, and those that meet are drawn over each other.
+constexpr double PrecisionOfStrokes = 3.0 / 255.0;
 
 class VectorFaces : public testing::Test
 {
@@ -223,6 +225,23 @@ TEST_F(VectorFaces, EqualTheImageNextToTheCamera)
   this->Renderer->GetActiveCamera()->SetPosition(0.0, -1.0, 0.3);
   this->AddSquare(0.0, 0.0)->GetProperty()->SetColor(0.2, 0.9, 0.3);
   this->ExpectFaces(PrecisionOfSmallTriangles);
+}
+
+TEST_F(VectorFaces, MayBePointsThatHideThoseBehindThemPartly)
+{
+  vtkSmartPointer<vtkActor> sphere = this->AddSphere(0.0, 0.0, 0.0, 2.0, 16);
+  for (const bool wireframe : { false, true })
+  {
+    sphere->GetProperty()->SetRepresentation(wireframe ? VTK_WIREFRAME : VTK_POINTS);
+    sphere->GetProperty()->SetPointSize(9.0);
+    sphere->GetProperty()->SetLineWidth(3.0);
+    for (const char* format : { "svg", "pdf" })
+    {
+      const auto figure = Rasterize(this->Exporter, this->Folder, format);
+      EXPECT_LE(ComputeError(figure, this->Caster), PrecisionOfStrokes) << format << wireframe;
+    }
+    EXPECT_EQ(this->GetStatistic("Vector/Images"), 0.0);
+  }
 }
 
 TEST_F(VectorFaces, AreReplacedByAnImageIfTheyCannotShowTheScene)

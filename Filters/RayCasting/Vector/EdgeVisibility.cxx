@@ -26,6 +26,13 @@ constexpr double MaximumTests = 1e5;
 constexpr double EdgeOffset = 2.0;
 // Length in pixels of the pieces of a line, which have one color each.
 constexpr double PieceLength = 16.0;
+// Positions at which a piece of a stroke may be in front, as fractions of its length and, from its axis, of its width.
+constexpr double AlongFractions[] = { 0.5, 0.05, 0.95, 0.25, 0.75 };
+constexpr double SideFractions[] = { 0.0, -0.45, 0.45 };
+// Most strokes of the same surface that are skipped in front of a stroke, and the distance behind each at which the
+// next one is searched, as a fraction of the depth.
+constexpr int MaximumStrokesInFront = 64;
+constexpr float HitOffset = 1e-6f;
 // Largest difference of the colors of pieces that are drawn as one.
 constexpr float ColorPrecision = 0.5f / 255.f;
 
@@ -38,6 +45,7 @@ double ComputePixelSize(const Camera& camera, double depth)
 struct Stroke
 {
   std::uint32_t Surface;
+  std::uint32_t Triangle; ///< the first one
   glm::dvec2 From;
   glm::dvec2 To;
   double DepthFrom;
@@ -49,6 +57,10 @@ struct Stroke
   {
     return camera.Parallel ? glm::mix(this->DepthFrom, this->DepthTo, t)
                            : 1.0 / glm::mix(1.0 / this->DepthFrom, 1.0 / this->DepthTo, t);
+  }
+  bool IsHitBy(const Hit& hit) const
+  {
+    return hit.IsHit() && hit.Surface == this->Surface && hit.Primitive / 2 == this->Triangle / 2;
   }
 };
 
@@ -67,7 +79,8 @@ std::vector<Stroke> FindStrokes(const Scene& scene)
       const glm::dvec3 b(surface.Positions[corners.y]);
       const glm::dvec3 c(surface.Positions[corners.z]);
       const glm::dvec3 d(surface.Positions[surface.Triangles[j + 1].z]);
-      Stroke stroke{ static_cast<std::uint32_t>(i), 0.5 * (camera.Project(a) + camera.Project(d)),
+      Stroke stroke{ static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j),
+        0.5 * (camera.Project(a) + camera.Project(d)),
         0.5 * (camera.Project(b) + camera.Project(c)), 0.5 * (camera.Depth(a) + camera.Depth(d)),
         0.5 * (camera.Depth(b) + camera.Depth(c)),
         glm::length(camera.Project(a) - camera.Project(d)) };
@@ -108,6 +121,26 @@ glm::vec4 ToStraight(glm::vec4 color)
   return color.a > 0.f ? glm::vec4(glm::vec3(color) / color.a, color.a) : color;
 }
 
+/// Returns a position where a piece of a stroke is in front, on its axis or beside it. Returns its middle if
+/// there is none: strokes in front are drawn over all of the piece.
+glm::dvec2 FindFront(const CameraRayTracer& tracer, const Stroke& stroke, double begin, double end)
+{
+  const glm::dvec2 step = stroke.To - stroke.From;
+  const glm::dvec2 across = stroke.Width / glm::length(step) * glm::dvec2(-step.y, step.x);
+  for (const double side : SideFractions)
+  {
+    for (const double t : AlongFractions)
+    {
+      const glm::dvec2 position = stroke.At(glm::mix(begin, end, t)) + side * across;
+      if (stroke.IsHitBy(tracer.TraceFirstHit(position)))
+      {
+        return position;
+      }
+    }
+  }
+  return stroke.At(0.5 * (begin + end));
+}
+
 /// Adds a visible part of a stroke in pieces, whose colors are sampled.
 void AddPieces(const CameraRayTracer& tracer, const Stroke& stroke, double from, double to,
   std::vector<FigurePath>& paths)
@@ -121,7 +154,8 @@ void AddPieces(const CameraRayTracer& tracer, const Stroke& stroke, double from,
     const double end = glm::mix(from, to, static_cast<double>(i + 1) / pieces);
     FigurePath path;
     path.Width = stroke.Width;
-    path.Color = ToStraight(tracer.TraceSample(stroke.At(0.5 * (begin + end)), counts).Color);
+    path.Color =
+      ToStraight(tracer.TraceSample(FindFront(tracer, stroke, begin, end), counts).Color);
     const glm::vec4 change = i > 0 ? glm::abs(path.Color - paths.back().Color) : glm::vec4(1.f);
     if (std::max({ change.r, change.g, change.b, change.a }) <= ColorPrecision)
     {
@@ -224,16 +258,23 @@ void AddVisibleLines(const CameraRayTracer& tracer, std::vector<FigurePath>& pat
     }
     const auto isVisible = [&](double s) {
       const double t = glm::mix(low, high, s);
-      const Hit hit = tracer.TraceFirstHit(stroke.At(t));
-      if (!hit.IsHit())
-      {
-        return false;
-      }
-      // Lines of a surface that meet are drawn over each other.
       const double depth = stroke.DepthAt(camera, t);
-      const double front = camera.DepthOfRayOrigins() + hit.Distance;
-      return hit.Surface == stroke.Surface &&
-        depth - front <= (stroke.Width + EdgeOffset) * ComputePixelSize(camera, depth);
+      const double own = depth - camera.DepthOfRayOrigins() -
+        (stroke.Width + EdgeOffset) * ComputePixelSize(camera, depth);
+      // Strokes of the same surface are drawn over those behind them, which may be wider than they hide.
+      Ray ray = tracer.MakeRay(stroke.At(t));
+      Hit hit = tracer.TraceFirstHit(stroke.At(t));
+      for (int i = 0; i < MaximumStrokesInFront && hit.IsHit() && hit.Surface == stroke.Surface;
+           ++i)
+      {
+        if (hit.Distance >= own)
+        {
+          return true;
+        }
+        ray.Near = hit.Distance + HitOffset * static_cast<float>(depth);
+        hit = tracer.GetRays().Intersect(ray);
+      }
+      return false;
     };
     const double length = (high - low) * glm::length(stroke.To - stroke.From);
     for (const auto& [from, to] : FindVisibleIntervals(length, isVisible))

@@ -350,13 +350,13 @@ private:
     return { unit.x == 0.0 ? this->Scale : unit.x, unit.y == 0.0 ? this->Scale : unit.y };
   }
 
-  /// VTK's projection moves the scene by half a pixel.
+  /// VTK's projection moves the scene by half a pixel and moves the last pixel to the end of the viewport.
   glm::dvec2 ToPixels(const float* p) const
   {
-    const double x[3] = { p[0], p[1], 1.0 };
-    double y[3];
-    this->Matrix->MultiplyPoint(x, y);
-    return this->Scale * (glm::dvec2(y[0], y[1]) - 0.5);
+    double y[3] = { p[0], p[1], 1.0 };
+    this->Matrix->MultiplyPoint(y, y);
+    const glm::dvec2 size(this->Geometry[0], this->Geometry[1]);
+    return this->Scale * (glm::dvec2(y[0], y[1]) - 0.5) * size / glm::max(size - 1.0, 1.0);
   }
 
   static glm::vec4 FindColor(
