@@ -11,6 +11,8 @@
 #include "vtkPenumbraHemisphereLib.h"
 #include "vtkPenumbraHistoryLengthLib.h"
 #include "vtkPenumbraKernels.h"
+#include "vtkPenumbraMotionQualityLib.h"
+#include "vtkPenumbraStaticQualityLib.h"
 #include "vtkPenumbraSurfaceLib.h"
 #include "vtkPenumbraViewLib.h"
 
@@ -181,12 +183,17 @@ double vtkPenumbraKernelEstimator::ComputeThickness(const Request& request)
   return state.Thickness.Get();
 }
 
-std::string vtkPenumbraKernelEstimator::GetShader()
+std::string vtkPenumbraKernelEstimator::AssembleShader(const char* quality)
 {
   return penumbra::Assemble(vtkPenumbraEstimateLib,
-    { { "Kernel", vtkPenumbraKernels::GetShader(this->Kernel) },
+    { { "QualityLib", quality }, { "Kernel", vtkPenumbraKernels::GetShader(this->Kernel) },
       { "HemisphereLib", vtkPenumbraHemisphereLib },
       { "HistoryLengthLib", vtkPenumbraHistoryLengthLib } });
+}
+
+std::string vtkPenumbraKernelEstimator::GetShader()
+{
+  return this->AssembleShader(vtkPenumbraMotionQualityLib);
 }
 
 int vtkPenumbraKernelEstimator::SetUniforms(const Request& request, vtkShaderProgram* program)
@@ -219,7 +226,7 @@ int vtkPenumbraKernelEstimator::Estimate(const Request& request, vtkTextureObjec
   {
     state.Source = penumbra::Assemble(vtkPenumbraEstimateFS,
       { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
-        { "EstimateLib", this->GetShader() } });
+        { "EstimateLib", this->AssembleShader(vtkPenumbraStaticQualityLib) } });
   }
   vtkShaderProgram* program = state.Stage.Ready(request.Window, state.Source);
   const penumbra::ScopedRenderTarget renderTarget(

@@ -31,6 +31,7 @@ std::string ShaderEvaluation::AssembleEstimate(const std::string& kernel)
     { { "ViewLib", ReadShader("Frame/glsl/vtkPenumbraViewLib.glsl") },
       { "SurfaceLib", ReadShader("Occlusion/glsl/vtkPenumbraSurfaceLib.glsl") },
       { "EstimateLib", ReadShader("glsl/vtkPenumbraEstimateLib.glsl") },
+      { "QualityLib", ReadShader("glsl/vtkPenumbraStaticQualityLib.glsl") },
       { "Kernel", ReadShader("glsl/vtkPenumbraEstimate" + kernel + "FS.glsl") },
       { "HemisphereLib", ReadShader("glsl/vtkPenumbraHemisphereLib.glsl") },
       { "HistoryLengthLib", ReadShader("Occlusion/glsl/vtkPenumbraHistoryLengthLib.glsl") } });

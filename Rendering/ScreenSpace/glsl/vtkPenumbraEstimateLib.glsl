@@ -55,6 +55,7 @@ vec2 radiusInPixels(SurfacePoint point, vec2 direction)
   return pixelOffsetOnPlane(direction / mix(1.0, -point.position.z, perspective));
 }
 
+//VTK::Penumbra::QualityLib
 //VTK::Penumbra::Kernel
 
 // Largest occlusion that one slice can return; it exceeds 1 if the normal is tilted from the view

@@ -9,8 +9,6 @@
 // the radius.
 
 const int stepsPerSide = 4; // a sample of the sequence is one slice of 2 * stepsPerSide fetches
-// Number of rays per side of a slice. With 4, the same tolerance takes twice the samples.
-const int raysPerSide = 8;
 
 // Two successive sampled points belong to one surface if their difference in depth is less than
 // this multiple of their distance across the view.
