@@ -20,7 +20,8 @@
  * `Rays/Repeated` counts the rays that are traced twice at the borders of rectangles.
  *
  * Every rank must execute the filter, with the same settings, camera and lights. If they differ, or if one
- * rank fails, all ranks end with its message. On a single rank, the filter is equivalent to its superclass.
+ * rank fails, all ranks end with its message. If a rank never executes, the others wait, because controllers have
+ * no time limit: give one to the job. On a single rank, the filter is equivalent to its superclass.
  */
 #ifndef vtkPenumbraDistributedRayCaster_h
 #define vtkPenumbraDistributedRayCaster_h

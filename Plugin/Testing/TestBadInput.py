@@ -33,19 +33,22 @@ except RuntimeError:
 CONNECT = """
 from paraview.simple import *
 import sys
-def render(name, remote):
-    LoadPlugin(sys.argv[1], remote=remote, ns=globals())
-    if remote:
-        LoadPlugin(sys.argv[1], remote=False, ns=globals())
+def render(name, rays=False):
     view = CreateView("PenumbraRenderView")
     view.ViewSize = [120, 90]
     view.OrientationAxesVisibility = 0
+    view.StillByRays = rays
     Show(BakeAmbientOcclusion(Input=Sphere(ThetaResolution=30)), view)
     view.CameraPosition = [0, -3, 1]
     SaveScreenshot(name, view)
-render(sys.argv[2], False)
+LoadPlugin(sys.argv[1], remote=False, ns=globals())
+render(sys.argv[2])
 Connect("localhost", int(sys.argv[4]))
-render(sys.argv[3], True)
+LoadPlugin(sys.argv[1], remote=True, ns=globals())
+LoadPlugin(sys.argv[1], remote=False, ns=globals())
+render(sys.argv[3])
+if len(sys.argv) > 5:
+    render(sys.argv[5], rays=True)
 """
 
 
@@ -140,6 +143,15 @@ class Server(unittest.TestCase):
             local, connected = (read_image(name).astype(int) for name in names)
         self.assertGreater(numpy.ptp(local), 50)
         self.assertLess((numpy.abs(local - connected).max(axis=2) > 8).mean(), 0.001)
+
+    def test_warns_once_if_the_client_casts_the_rays(self):
+        port = self.start_server()
+        with tempfile.TemporaryDirectory() as folder:
+            names = [os.path.join(folder, name) for name in ("local.png", "connected.png", "rays.png")]
+            run = run_script(folder, CONNECT, [PLUGIN, *names[:2], str(port), names[2]])
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertTrue(os.path.exists(names[2]))
+        self.assertEqual(run.stderr.count("The client has received all data"), 1, run.stderr)
 
 
 run_tests()

@@ -16,6 +16,7 @@
 #include "vtkMath.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVSession.h"
 #include "vtkPVSynchronizedRenderer.h"
 #include "vtkPenumbraKernels.h"
 #include "vtkPenumbraMedium.h"
@@ -156,9 +157,17 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   pass->UseOcclusion = this->AmbientOcclusion && diagonal > 0.0;
   pass->UseShafts = this->LightShafts && diagonal > 0.0;
   // A client shows what the server has rendered.
-  const bool isClient = this->SynchronizedRenderers->GetEnabled() &&
-    vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_CLIENT;
-  pass->UseRays = this->StillByRays && !interactive && !isClient;
+  const bool isClient = vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_CLIENT;
+  const bool isComposited = this->SynchronizedRenderers->GetEnabled();
+  pass->UseRays = this->StillByRays && !interactive && !(isClient && isComposited);
+  if (pass->UseRays && isClient && this->GetSession() &&
+    this->GetSession()->GetController(vtkPVSession::DATA_SERVER_ROOT))
+  {
+    this->WarnOnce(
+      "The client has received all data from the server and casts the rays of this still "
+      "render. Set Remote Render Threshold to 0 to cast them on the server, which needs "
+      "a display.");
+  }
   pass->HasDistributedRays = pass->UseRays && this->HasSeveralRanks();
   if (!pass->UseOcclusion && !pass->UseShafts && !pass->UseRays)
   {
