@@ -213,7 +213,7 @@ TEST_F(HistoryShaders, KeepTheirWeightIfNeighborsDoNotMove)
   this->Now = this->Before = [](int x, int y) { return 0.3 * std::sin(x) * std::cos(1.7 * y); };
   const std::array<double, 4> change =
     this->Evaluate("SurfacePoint point = " CENTER ";\n"
-                   "gl_FragData[0] = vec4(neighborDistanceChange(point, point.position), "
+                   "gl_FragData[0] = vec4(neighborOffsetChange(point, point.position), "
                    "historyWeightLimit(point, point.position), 0.0, 0.0);",
       "SampleValidation");
   EXPECT_NEAR(change[0], 0.0, 1e-5);
@@ -224,12 +224,12 @@ TEST_F(HistoryShaders, LoseTheirWeightIfNeighborsMove)
 {
   const std::string statements =
     "SurfacePoint point = " CENTER ";\n"
-    "gl_FragData[0] = vec4(neighborDistanceChange(point, point.position), "
+    "gl_FragData[0] = vec4(neighborOffsetChange(point, point.position), "
     "historyWeightLimit(point, point.position), 0.0, 0.0);";
-  // All neighbors were 0.3 higher. The nearest of 8 is at a distance of 0.25, within a pixel.
+  // All neighbors were 0.3 higher.
   this->Before = [](int, int) { return 0.3; };
   std::array<double, 4> change = this->Evaluate(statements, "SampleValidation");
-  EXPECT_NEAR(change[0], std::hypot(0.25, 0.3) - 0.25, 0.05);
+  EXPECT_NEAR(change[0], 0.3, 1e-4);
   EXPECT_NEAR(change[1], 3.0, 1e-4);
   // If props were added or removed, the neighbor itself was replaced at a distance of 0.3.
   this->PropsChanged = true;
@@ -246,8 +246,7 @@ TEST_F(HistoryShaders, LoseTheirWeightIfNeighborsMove)
 
 TEST_F(HistoryShaders, LimitTheirWeightBetweenBothBounds)
 {
-  // 0.055 is in the middle of the smooth step from 0.01 to 0.1.
-  const double rise = 0.31; // of neighbors at 0.25 or so
+  const double rise = 0.04; // of all neighbors
   double last = 17.0;
   for (const double part : { 0.1, 0.4, 0.6, 1.0 })
   {
@@ -258,9 +257,9 @@ TEST_F(HistoryShaders, LimitTheirWeightBetweenBothBounds)
         "SampleValidation")[0];
     const double change =
       this->Evaluate("SurfacePoint point = " CENTER ";\n"
-                     "gl_FragData[0] = vec4(neighborDistanceChange(point, point.position));",
+                     "gl_FragData[0] = vec4(neighborOffsetChange(point, point.position));",
         "SampleValidation")[0];
-    const double t = std::fmin(std::fmax((change - 0.01) / 0.09, 0.0), 1.0);
+    const double t = std::fmin(std::fmax((change - 0.005) / 0.025, 0.0), 1.0);
     EXPECT_NEAR(limit, 16.0 - 13.0 * t * t * (3.0 - 2.0 * t), 1e-3) << part;
     EXPECT_LE(limit, last) << part;
     last = limit;

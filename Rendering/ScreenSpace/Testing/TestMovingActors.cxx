@@ -98,7 +98,7 @@ TEST(MovingActors, KeepTheirHistory)
     }
     EXPECT_GT(kept[true], 0.85) << multiSamples;
     EXPECT_LT(kept[false], 0.5) << multiSamples;
-    EXPECT_LT(errors[true], 0.5 * errors[false]) << multiSamples;
+    EXPECT_LT(errors[true], 0.9 * errors[false]) << multiSamples;
   }
 }
 
