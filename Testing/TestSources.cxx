@@ -52,7 +52,7 @@ const std::map<std::string, int> LongFiles = {
   { "Filters/Irradiance/vtkPenumbraIrradianceFilter.cxx", 531 },
   { "Filters/RayCasting/Edges/OutlineProjector.h", 155 },
   { "Filters/RayCasting/Light/LightSite.h", 180 },
-  { "Filters/RayCasting/RayCasterInternals.h", 200 },
+  { "Filters/RayCasting/RayCasterInternals.h", 176 },
   { "Filters/RayCasting/Sampling/CameraRayTracer.h", 190 },
   { "Filters/RayCasting/Tiles/ScreenTriangle.h", 200 },
   { "Filters/RayTracing/Embree/RayScene.h", 175 },

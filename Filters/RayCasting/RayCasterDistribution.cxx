@@ -113,16 +113,16 @@ void vtkPenumbraRayCaster::Internals::ExchangeScene(
 }
 
 bool vtkPenumbraRayCaster::Internals::RenderRegions(vtkPenumbraRayCaster* self,
-  Execution& execution, std::vector<vtkSmartPointer<vtkImageData>>& parts,
+  penumbra::RenderJob& job, std::vector<vtkSmartPointer<vtkImageData>>& parts,
   penumbra::ImageTotals& totals)
 {
   for (const penumbra::RegionBounds& region : this->Distribution->GetRegions())
   {
     auto part = vtkSmartPointer<vtkImageData>::New();
     part->SetExtent(region.Low.x, region.High.x - 1, region.Low.y, region.High.y - 1, 0, 0);
-    if (!penumbra::RenderImage(execution.Tracer, this->Prepared->Edges, execution.Settings,
-          this->MakeProgress(self, execution), part, totals) ||
-      !this->FinishPixels(self, execution, totals, part))
+    if (!penumbra::RenderImage(job.GetTracer(), this->Prepared->Edges, job.GetRenderSettings(),
+          this->MakeProgress(self, job), part, totals) ||
+      !this->FinishPixels(self, job, totals, part))
     {
       return false;
     }
@@ -137,17 +137,15 @@ bool vtkPenumbraRayCaster::Internals::ExecuteDistributed(
   int extent[6];
   image->GetExtent(extent);
   penumbra::PhaseTimer timer(this->PhaseSeconds);
-  const std::unique_ptr<Execution> execution = this->BeginExecution(self);
-  if (!execution)
+  const std::unique_ptr<penumbra::RenderJob> job = this->BeginJob(self);
+  if (!job)
   {
     return false;
   }
-  execution->Limit = this->MakeLimit(self);
-  execution->Settings.Limit = execution->Limit.get();
-  execution->Settings.Integration.Limit = execution->Limit.get();
+  job->SetLimit(this->MakeLimit(self), true);
   std::vector<vtkSmartPointer<vtkImageData>> parts;
   penumbra::ImageTotals totals;
-  if (!this->RenderRegions(self, *execution, parts, totals))
+  if (!this->RenderRegions(self, *job, parts, totals))
   {
     return false;
   }
@@ -160,7 +158,7 @@ bool vtkPenumbraRayCaster::Internals::ExecuteDistributed(
   {
     penumbra::CompositeOverlay(this->DistributedOverlay, image);
     penumbra::SumErrors(image, totals);
-    this->FinishImage(self, *execution, totals, image);
+    this->FinishImage(self, *job, totals, image);
   }
   this->Distribution->Deliver(extent, image);
   vtkFieldData* fields = image->GetFieldData();

@@ -2,19 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RayCasterExecution.h"
 
-#include "Image/GeometryArrays.h"
 #include "Image/LayerCompositing.h"
-#include "Light/LightRays.h"
-#include "Media/MediumExtraction.h"
 #include "PhaseTimer.h"
-#include "SceneBounds.h"
-#include "Shading/Illumination.h"
-#include "Shading/LightWarnings.h"
 #include "Statistics/Statistics.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,161 +30,39 @@ using penumbra::AddStatistic;
 
 }
 
-double vtkPenumbraRayCaster::Internals::ComputeIrradianceTolerance(vtkPenumbraRayCaster* self)
+std::unique_ptr<penumbra::RenderJob> vtkPenumbraRayCaster::Internals::BeginJob(
+  vtkPenumbraRayCaster* self)
 {
-  return SampleToleranceFactor * self->GetEffectiveLightTolerance() * vtkMath::Pi() / self->Albedo;
-}
-
-bool vtkPenumbraRayCaster::Internals::BeginProvider(vtkPenumbraRayCaster* self)
-{
-  const double noise = SampleToleranceFactor * self->GetEffectiveLightTolerance();
-  const OcclusionSettings settings = this->FindOcclusion(self);
-  const bool occlusion = settings.On || (self->GeometryArrays && this->Constants.OcclusionArray);
-  const double phaseFraction = occlusion && self->IndirectLight ? 0.5 : 1.0;
-  double done = 0.0;
-  const auto progress = [&](double fraction) {
-    return ReportProgress(self, ProviderProgress * (done + phaseFraction * fraction));
-  };
-  if (occlusion)
-  {
-    if (!this->IrradianceProvider->Begin(*this->Prepared->Rays,
-          { this->FindOcclusionRadius(self), self->AmbientOcclusionFalloff }, noise, progress))
-    {
-      return false;
-    }
-    done = phaseFraction;
-  }
-  this->Light.reset();
-  if (self->IndirectLight && self->Albedo > 0.0)
-  {
-    const double* color = self->EnvironmentColor;
-    penumbra::IlluminationSettings light;
-    light.Environment = glm::max(glm::dvec3(color[0], color[1], color[2]), glm::dvec3(0.0));
-    light.Map = this->Environment ? this->Environment->GetMap() : nullptr;
-    light.Albedo = static_cast<float>(self->Albedo);
-    light.Bounces = self->Bounces;
-    light.Shadows = self->GetShadows();
-    this->Light = std::make_shared<const penumbra::Illumination>(*this->Prepared->Rays, light);
-    this->WarnOnce(self,
-      penumbra::DescribeMissingLight(*this->Prepared->Rays, self->GetShadows(), &*this->Light));
-    return this->IrradianceProvider->BeginIrradiance(
-      *this->Light, this->ComputeIrradianceTolerance(self), progress);
-  }
-  return true;
-}
-
-void vtkPenumbraRayCaster::Internals::UseProvider(
-  vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer) const
-{
-  const OcclusionSettings settings = this->FindOcclusion(self);
-  if (settings.On)
-  {
-    tracer.SetOcclusion(this->IrradianceProvider, settings.Strength,
-      SampleToleranceFactor * self->GetEffectiveLightTolerance());
-  }
-  if (this->Light)
-  {
-    tracer.SetIndirectLight(this->IrradianceProvider, this->Light->GetSettings().Albedo,
-      this->ComputeIrradianceTolerance(self));
-  }
-}
-
-// The errors of light from a medium and of light that pixels join are independent.
-double vtkPenumbraRayCaster::Internals::FindEffectTolerance(vtkPenumbraRayCaster* self) const
-{
-  const double tolerance = self->GetEffectiveLightTolerance();
-  return this->Medium && this->JoinsPixels(self) ? std::sqrt(0.5) * tolerance : tolerance;
-}
-
-std::shared_ptr<const penumbra::LightEffects> vtkPenumbraRayCaster::Internals::MakeLightEffects(
-  vtkPenumbraRayCaster* self) const
-{
-  auto effects = std::make_shared<penumbra::LightEffects>();
-  effects->Tolerance = this->FindEffectTolerance(self);
-  effects->Light = this->Light;
-  if (this->FindOcclusion(self).On)
-  {
-    effects->Occlusion.emplace(*this->Prepared->Rays,
-      penumbra::DistanceFalloff::InScene(this->FindOcclusionRadius(self),
-        self->AmbientOcclusionFalloff, this->Prepared->SceneData.Scale),
-      effects->Tolerance);
-  }
-  return effects;
-}
-
-std::unique_ptr<vtkPenumbraRayCaster::Internals::Execution>
-vtkPenumbraRayCaster::Internals::BeginExecution(vtkPenumbraRayCaster* self)
-{
-  const penumbra::Scene& scene = this->Prepared->SceneData;
   if (ReportProgress(self, SceneProgress))
   {
     return nullptr;
   }
-  auto execution = std::make_unique<Execution>(*this->Prepared, self->GetShadows());
-  penumbra::Shading& shading = execution->Lit;
-  penumbra::CameraRayTracer& tracer = execution->Tracer;
-  const double lightTolerance = self->GetEffectiveLightTolerance();
-  tracer.SetPenumbraTolerance(SampleToleranceFactor * lightTolerance);
-  execution->UsesProvider = self->GetAmbientOcclusion() || self->IndirectLight ||
-    (self->GeometryArrays && this->Constants.OcclusionArray);
-  if (execution->UsesProvider && !this->BeginProvider(self))
+  auto job = std::make_unique<penumbra::RenderJob>(
+    this->Prepared->SceneData, *this->Prepared->Rays, this->MakeJobSettings(self));
+  const bool isReady = job->Begin(
+    [self](double fraction) { return ReportProgress(self, ProviderProgress * fraction); },
+    [this, self](const std::string& warning, bool once) {
+      if (once)
+      {
+        this->WarnOnce(self, warning);
+      }
+      else if (!warning.empty())
+      {
+        vtkWarningWithObjectMacro(self, << warning);
+      }
+    });
+  if (!isReady)
   {
     return nullptr;
   }
-  penumbra::RenderSettings& settings = execution->Settings;
-  settings = MakeSettings(self);
-  execution->Joins = this->JoinsPixels(self);
-  if (execution->Joins)
-  {
-    const OcclusionSettings occlusion = this->FindOcclusion(self);
-    settings.Light = this->MakeLightEffects(self);
-    settings.KeepsOcclusion =
-      occlusion.On && self->GeometryArrays && this->Constants.OcclusionArray;
-    tracer.SetLayerLight(occlusion.On, occlusion.Strength);
-    shading.SetUniformLight(glm::vec3(settings.Light->GetUniformLight()));
-  }
-  else if (execution->UsesProvider)
-  {
-    this->UseProvider(self, tracer);
-  }
-  if (self->GetShadows() && !self->IndirectLight)
-  {
-    this->WarnOnce(self, penumbra::DescribeMissingLight(*this->Prepared->Rays, true, nullptr));
-  }
-
-  std::string warning;
-  std::optional<penumbra::LightShafts> made =
-    penumbra::MakeLightShafts(this->Medium, shading, penumbra::ComputeSceneDiagonal(scene),
-      { this->FindEffectTolerance(self), this->Constants.LightShaftSteps }, warning);
-  std::optional<penumbra::LightShafts>& shafts = execution->Shafts;
-  if (made)
-  {
-    shafts.emplace(*std::move(made));
-  }
-  tracer.SetShafts(shafts ? &*shafts : nullptr);
-  if (shafts || shading.HasPenumbrae())
-  {
-    settings.Integration.LightTolerance = lightTolerance;
-  }
-  penumbra::IntegrationSettings& limits = execution->Limits;
-  limits = settings.Integration;
-  limits.LightTolerance = settings.HasLightErrors() ? lightTolerance : 0.0;
-  this->TileTolerance = limits.GetTileTolerance();
-  if (shafts && shafts->GetMedium().AttenuatesSurfaceLight)
-  {
-    shading.SetAttenuation(&shafts->GetMedium());
-  }
-  if (!warning.empty())
-  {
-    vtkWarningWithObjectMacro(self, << warning);
-  }
-  return execution;
+  this->TileTolerance = job->GetLimits().GetTileTolerance();
+  return job;
 }
 
 std::function<bool(double)> vtkPenumbraRayCaster::Internals::MakeProgress(
-  vtkPenumbraRayCaster* self, const Execution& execution)
+  vtkPenumbraRayCaster* self, const penumbra::RenderJob& job)
 {
-  const double from = execution.UsesProvider ? ProviderProgress : 0.0;
+  const double from = job.GetSettings().UsesProvider() ? ProviderProgress : 0.0;
   const double to = self->GeometryArrays ? 1.0 - GeometryProgress : 1.0;
   return [self, from, to](double done) { return ReportProgress(self, from + (to - from) * done); };
 }
@@ -204,18 +75,16 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   }
   this->UpdateEdges(self, [self](double) { return ReportProgress(self, 0.0); });
   penumbra::PhaseTimer timer(this->PhaseSeconds);
-  const std::unique_ptr<Execution> execution = this->BeginExecution(self);
-  if (!execution)
+  const std::unique_ptr<penumbra::RenderJob> job = this->BeginJob(self);
+  if (!job)
   {
     return false;
   }
-  execution->Limit = this->MakeLimit(self);
-  execution->Settings.Limit = execution->Limit.get();
-  execution->Settings.Integration.Limit = execution->Limit.get();
+  job->SetLimit(this->MakeLimit(self), true);
   penumbra::ImageTotals totals;
-  if (!penumbra::RenderImage(execution->Tracer, this->Prepared->Edges, execution->Settings,
-        this->MakeProgress(self, *execution), image, totals) ||
-    !this->FinishExecution(self, *execution, totals, image))
+  if (!penumbra::RenderImage(job->GetTracer(), this->Prepared->Edges, job->GetRenderSettings(),
+        this->MakeProgress(self, *job), image, totals) ||
+    !this->FinishExecution(self, *job, totals, image))
   {
     return false;
   }
@@ -224,49 +93,36 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
 }
 
 bool vtkPenumbraRayCaster::Internals::FinishExecution(vtkPenumbraRayCaster* self,
-  Execution& execution, penumbra::ImageTotals& totals, vtkImageData* image)
+  penumbra::RenderJob& job, penumbra::ImageTotals& totals, vtkImageData* image)
 {
-  if (!this->FinishPixels(self, execution, totals, image))
+  if (!this->FinishPixels(self, job, totals, image))
   {
     return false;
   }
-  this->FinishImage(self, execution, totals, image);
+  this->FinishImage(self, job, totals, image);
   return true;
 }
 
-bool vtkPenumbraRayCaster::Internals::FinishPixels(vtkPenumbraRayCaster* self, Execution& execution,
-  penumbra::ImageTotals& totals, vtkImageData* image)
+bool vtkPenumbraRayCaster::Internals::FinishPixels(vtkPenumbraRayCaster* self,
+  penumbra::RenderJob& job, penumbra::ImageTotals& totals, vtkImageData* image)
 {
-  penumbra::CameraRayTracer& tracer = execution.Tracer;
   if (this->InspectImage)
   {
-    if (execution.Joins)
-    {
-      execution.Lit.SetUniformLight(glm::vec3(0.f));
-      this->UseProvider(self, tracer);
-    }
-    this->InspectImage(tracer, this->Prepared->Edges);
+    job.LightSamplesAlone();
+    this->InspectImage(job.GetTracer(), this->Prepared->Edges);
   }
-  if (!self->GeometryArrays)
-  {
-    return true;
-  }
-  tracer.SetOcclusion(this->Constants.OcclusionArray && !execution.Settings.KeepsOcclusion
-      ? this->IrradianceProvider.Get()
-      : nullptr,
-    self->AmbientOcclusionStrength, SampleToleranceFactor * self->GetEffectiveLightTolerance());
   const auto geometry = [self](double done) {
     return ReportProgress(self, 1.0 - GeometryProgress + GeometryProgress * done);
   };
-  return penumbra::AddGeometryArrays(tracer, geometry, image, totals.Rays);
+  return job.AddArrays(geometry, image, totals.Rays);
 }
 
-void vtkPenumbraRayCaster::Internals::FinishImage(vtkPenumbraRayCaster* self, Execution& execution,
-  const penumbra::ImageTotals& totals, vtkImageData* image)
+void vtkPenumbraRayCaster::Internals::FinishImage(vtkPenumbraRayCaster* self,
+  penumbra::RenderJob& job, const penumbra::ImageTotals& totals, vtkImageData* image)
 {
-  const bool isEnded = execution.IsEnded();
+  const bool isEnded = job.IsEnded();
   const penumbra::ToleranceReport tolerances =
-    penumbra::CheckTolerance(execution.Limits, totals, isEnded ? self->TimeLimit : 0.0, image);
+    penumbra::CheckTolerance(job.GetLimits(), totals, isEnded ? self->TimeLimit : 0.0, image);
   if (!tolerances.Warning.empty())
   {
     vtkWarningWithObjectMacro(self, << tolerances.Warning);
@@ -279,7 +135,7 @@ void vtkPenumbraRayCaster::Internals::FinishImage(vtkPenumbraRayCaster* self, Ex
     additional = *rays;
     AddStatistic(this->Statistics, "Rays/Layers", *rays);
   }
-  if (execution.UsesProvider)
+  if (job.GetSettings().UsesProvider())
   {
     this->IrradianceProvider->Report(this->Statistics);
     vtkDataArray* gathered = this->Statistics->GetArray("Rays/Gather");
@@ -295,18 +151,20 @@ void vtkPenumbraRayCaster::Internals::BeginGrowing(vtkPenumbraRayCaster* self)
   this->Growing.reset();
   this->Prepare(self, {});
   auto growing = std::make_unique<GrowingState>();
-  growing->Job = this->BeginExecution(self);
+  growing->Job = this->BeginJob(self);
   if (!growing->Job)
   {
     throw penumbra::Stopped();
   }
-  Execution& job = *growing->Job;
-  job.Limit = std::make_unique<penumbra::WorkLimit>(
-    [this](double) { return this->ComputeElapsedSeconds() >= this->CallSeconds; });
-  job.Settings.Limit = job.Limit.get();
-  job.Settings.UpdateEdges = [this, self]() { this->UpdateEdges(self, {}); }; // not for a preview
-  growing->Image =
-    std::make_unique<penumbra::GrowingImage>(job.Tracer, this->Prepared->Edges, job.Settings);
+  penumbra::RenderJob& job = *growing->Job;
+  job.SetLimit(std::make_unique<penumbra::WorkLimit>(
+                 [this](double) { return this->ComputeElapsedSeconds() >= this->CallSeconds; }),
+    false);
+  job.GetRenderSettings().UpdateEdges = [this, self]() {
+    this->UpdateEdges(self, {}); // not for a preview
+  };
+  growing->Image = std::make_unique<penumbra::GrowingImage>(
+    job.GetTracer(), this->Prepared->Edges, job.GetRenderSettings());
   growing->SceneTime = this->ComputeSceneTime(self);
   this->Growing = std::move(growing);
 }
@@ -326,8 +184,8 @@ bool vtkPenumbraRayCaster::Internals::Continue(vtkPenumbraRayCaster* self, vtkIm
     return true;
   }
   penumbra::PhaseTimer timer(this->PhaseSeconds);
-  Execution& job = *growing.Job;
-  job.Limit->BeginPart(1.0);
+  penumbra::RenderJob& job = *growing.Job;
+  job.GetLimit()->BeginPart(1.0);
   const bool isComplete = growing.Image->Run(this->MakeProgress(self, job));
   image->SetDimensions(self->Resolution[0], self->Resolution[1], 1);
   penumbra::ImageTotals totals;
@@ -335,13 +193,13 @@ bool vtkPenumbraRayCaster::Internals::Continue(vtkPenumbraRayCaster* self, vtkIm
   if (!isComplete)
   {
     this->Report(totals, image->GetNumberOfPoints());
-    this->ReportLimit(totals, penumbra::CheckTolerance(job.Limits, totals, 0.0, image), true);
+    this->ReportLimit(totals, penumbra::CheckTolerance(job.GetLimits(), totals, 0.0, image), true);
     this->AddFieldData(self, image);
     timer.End(TRACING);
     return false;
   }
   growing.Image.reset();
-  job.Limit.reset();
+  job.SetLimit(nullptr, false);
   if (!this->FinishExecution(self, job, totals, image))
   {
     throw penumbra::Stopped();

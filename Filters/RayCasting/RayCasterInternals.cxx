@@ -131,7 +131,8 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   prepared->Rays =
     std::make_unique<penumbra::RayScene>(scene, self->NumberOfThreads, options.Progress, isDynamic);
   timer.End(BUILD);
-  prepared->Edges = penumbra::FindSceneEdges(scene, MakeSettings(self), options.Progress);
+  prepared->Edges = penumbra::FindSceneEdges(
+    scene, penumbra::MakeRenderSettings(this->MakeJobSettings(self)), options.Progress);
   timer.End(EDGES);
   this->Prepared = std::move(prepared);
   this->PreparedTime = computeTime(); // extraction may have updated the mappers
@@ -188,8 +189,9 @@ void vtkPenumbraRayCaster::Internals::UpdateEdges(
   if (!prepared.AreEdgesCurrent)
   {
     penumbra::PhaseTimer timer(this->PhaseSeconds);
-    penumbra::UpdateSceneEdges(
-      prepared.SceneData, MakeSettings(self), prepared.ChangesSinceEdges, progress, prepared.Edges);
+    penumbra::UpdateSceneEdges(prepared.SceneData,
+      penumbra::MakeRenderSettings(this->MakeJobSettings(self)), prepared.ChangesSinceEdges,
+      progress, prepared.Edges);
     timer.End(EDGES);
     prepared.AreEdgesCurrent = true;
     prepared.ChangesSinceEdges.clear();
@@ -256,22 +258,30 @@ void vtkPenumbraRayCaster::Internals::WarnOnce(
   }
 }
 
-penumbra::RenderSettings vtkPenumbraRayCaster::Internals::MakeSettings(
+penumbra::JobSettings vtkPenumbraRayCaster::Internals::MakeJobSettings(
   vtkPenumbraRayCaster* self) const
 {
-  penumbra::RenderSettings settings;
-  settings.UsePackets = this->Constants.UsePackets;
-  settings.Integration.Method = this->Constants.CoverageMethod;
-  settings.Integration.Tolerance = self->Tolerance;
-  settings.Integration.MaximumLevel = this->Constants.MaximumLevel;
-  settings.Integration.FindSmallObjects = this->Constants.FindSmallObjects;
-  settings.Integration.Shadows = self->GetShadows();
-  settings.Integration.UniformSamples = this->Constants.UniformSamples;
-  if ((self->GetAmbientOcclusion() || self->IndirectLight) && !this->JoinsPixels(self))
-  {
-    settings.Integration.LightTolerance = self->GetEffectiveLightTolerance();
-    settings.Integration.Noise = SampleToleranceFactor * self->GetEffectiveLightTolerance();
-  }
+  const OcclusionSettings occlusion = this->FindOcclusion(self);
+  const double* color = self->EnvironmentColor;
+  penumbra::JobSettings settings;
+  settings.Constants = this->Constants;
+  settings.Tolerance = self->Tolerance;
+  settings.LightTolerance = self->GetEffectiveLightTolerance();
+  settings.Shadows = self->GetShadows();
+  settings.HasOcclusion = occlusion.On;
+  settings.HasOcclusionArray = self->GeometryArrays && this->Constants.OcclusionArray;
+  settings.OcclusionRadius = occlusion.Radius;
+  settings.OcclusionStrength = occlusion.Strength;
+  settings.OcclusionFalloff = self->AmbientOcclusionFalloff;
+  settings.HasIndirectLight = self->IndirectLight && self->Albedo > 0.0;
+  settings.Light.Environment = glm::max(glm::dvec3(color[0], color[1], color[2]), glm::dvec3(0.0));
+  settings.Light.Map = this->Environment ? this->Environment->GetMap() : nullptr;
+  settings.Light.Albedo = static_cast<float>(self->Albedo);
+  settings.Light.Bounces = self->Bounces;
+  settings.Light.Shadows = settings.Shadows;
+  settings.HasGeometryArrays = self->GeometryArrays;
+  settings.Provider = this->IrradianceProvider;
+  settings.Medium = this->Medium;
   return settings;
 }
 
@@ -292,21 +302,4 @@ std::unique_ptr<penumbra::WorkLimit> vtkPenumbraRayCaster::Internals::MakeLimit(
   return std::make_unique<penumbra::WorkLimit>([this, begin, rest](double fraction) {
     return this->ComputeElapsedSeconds() >= begin + fraction * rest;
   });
-}
-
-double vtkPenumbraRayCaster::Internals::FindOcclusionRadius(vtkPenumbraRayCaster* self) const
-{
-  const double radius = this->FindOcclusion(self).Radius;
-  return radius > 0.0
-    ? radius
-    : penumbra::DefaultRadiusFraction * penumbra::ComputeSceneDiagonal(this->Prepared->SceneData);
-}
-
-bool vtkPenumbraRayCaster::Internals::JoinsPixels(vtkPenumbraRayCaster* self) const
-{
-  const bool occlusion = this->FindOcclusion(self).On;
-  const bool irradiance = self->IndirectLight && self->Albedo > 0.0;
-  return (occlusion || irradiance) &&
-    this->Constants.CoverageMethod != penumbra::CoverageMethods::Uniform &&
-    this->IrradianceProvider->JoinsPixels(occlusion, irradiance);
 }

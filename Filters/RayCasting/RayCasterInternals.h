@@ -11,7 +11,6 @@
 #include "Execution/WorkLimit.h"
 #include "Image/ImageRenderer.h"
 #include "Import/SceneExtraction.h"
-#include "Light/LightRays.h"
 #include "LightSizes.h"
 #include "PhaseTimer.h"
 #include "Scene.h"
@@ -37,6 +36,8 @@
 
 namespace penumbra
 {
+class RenderJob;
+struct JobSettings;
 struct ToleranceReport;
 }
 
@@ -49,10 +50,6 @@ struct vtkPenumbraRayCaster::Internals
   static constexpr int MaximumResolution = 65535;
   /// Default of LightTolerance as a multiple of Tolerance: 0.01 at 1/256.
   static constexpr double LightToleranceFactor = 2.56;
-  /// Tolerance of the light of one sample, in light tolerances of the image. The color of a pixel is
-  /// the mean of about four samples, which halves their error.
-  static constexpr double SampleToleranceFactor = 2.0;
-
   /// An extracted scene with its ray tracing structures.
   struct PreparedScene
   {
@@ -65,7 +62,6 @@ struct vtkPenumbraRayCaster::Internals
     std::vector<penumbra::SurfaceChange> ChangesSinceEdges;
   };
 
-  struct Execution;
   struct GrowingState;
 
   /// Ambient occlusion that multiplies the colors.
@@ -83,8 +79,6 @@ struct vtkPenumbraRayCaster::Internals
   std::optional<bool> AmbientOcclusion; ///< if not set, as Renderer
   vtkSmartPointer<vtkPenumbraIrradianceProvider> IrradianceProvider =
     vtkSmartPointer<vtkPenumbraBruteForceIrradiance>::New();
-  std::shared_ptr<const penumbra::Illumination>
-    Light; ///< of the current image; null: no indirect light
   vtkSmartPointer<vtkPenumbraMedium> Medium;
   vtkSmartPointer<vtkPenumbraEnvironment> Environment;
   penumbra::LightSizes SizedLights;
@@ -140,11 +134,11 @@ struct vtkPenumbraRayCaster::Internals
   /// Reports progress unless an abort was requested. Returns true if the execution must stop.
   static bool ReportProgress(vtkPenumbraRayCaster* self, double fraction);
   static std::function<bool(double)> MakeProgress(
-    vtkPenumbraRayCaster* self, const Execution& execution);
+    vtkPenumbraRayCaster* self, const penumbra::RenderJob& job);
   bool Execute(vtkPenumbraRayCaster* self, vtkImageData* image);
   /// The same together with the other ranks.
   bool ExecuteDistributed(vtkPenumbraRayCaster* self, vtkImageData* image);
-  bool RenderRegions(vtkPenumbraRayCaster* self, Execution& execution,
+  bool RenderRegions(vtkPenumbraRayCaster* self, penumbra::RenderJob& job,
     std::vector<vtkSmartPointer<vtkImageData>>& parts, penumbra::ImageTotals& totals);
   /// Replaces the surfaces of the prepared scene by those of all ranks that this one needs.
   void ExchangeScene(vtkPenumbraRayCaster* self, penumbra::Scene& scene);
@@ -154,12 +148,12 @@ struct vtkPenumbraRayCaster::Internals
   bool Continue(vtkPenumbraRayCaster* self, vtkImageData* image);
   void BeginGrowing(vtkPenumbraRayCaster* self);
   /// Returns null if an abort was requested.
-  std::unique_ptr<Execution> BeginExecution(vtkPenumbraRayCaster* self);
+  std::unique_ptr<penumbra::RenderJob> BeginJob(vtkPenumbraRayCaster* self);
   /// Adds what rays of their own find in an image. Returns false if an abort was requested.
-  bool FinishPixels(vtkPenumbraRayCaster* self, Execution& execution, penumbra::ImageTotals& totals,
-    vtkImageData* image);
+  bool FinishPixels(vtkPenumbraRayCaster* self, penumbra::RenderJob& job,
+    penumbra::ImageTotals& totals, vtkImageData* image);
   /// Adds what follows the rendering of an image.
-  void FinishImage(vtkPenumbraRayCaster* self, Execution& execution,
+  void FinishImage(vtkPenumbraRayCaster* self, penumbra::RenderJob& job,
     const penumbra::ImageTotals& totals, vtkImageData* image);
   /// Return the number of rays, or nothing if there is no layer.
   std::optional<double> AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image);
@@ -168,26 +162,15 @@ struct vtkPenumbraRayCaster::Internals
   double ComputeElapsedSeconds() const;
   /// Returns the time limit of the rest of the execution, or null if there is none.
   std::unique_ptr<penumbra::WorkLimit> MakeLimit(vtkPenumbraRayCaster* self) const;
-  /// Returns the tolerance of the irradiance at a sample. The image contains Albedo / pi of it.
-  static double ComputeIrradianceTolerance(vtkPenumbraRayCaster* self);
-  double FindOcclusionRadius(vtkPenumbraRayCaster* self) const;
-  /// Returns true if occlusion and indirect light are estimated for all pixels together, without a provider.
-  bool JoinsPixels(vtkPenumbraRayCaster* self) const;
-  bool BeginProvider(vtkPenumbraRayCaster* self);
-  /// Lights the samples of `tracer` by the provider.
-  void UseProvider(vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer) const;
-  /// Returns the accepted error of the light of a medium, and of light that pixels join.
-  double FindEffectTolerance(vtkPenumbraRayCaster* self) const;
-  std::shared_ptr<const penumbra::LightEffects> MakeLightEffects(vtkPenumbraRayCaster* self) const;
   /// Runs FinishPixels() and FinishImage().
-  bool FinishExecution(vtkPenumbraRayCaster* self, Execution& execution,
+  bool FinishExecution(vtkPenumbraRayCaster* self, penumbra::RenderJob& job,
     penumbra::ImageTotals& totals, vtkImageData* image);
   void Report(const penumbra::ImageTotals& totals, vtkIdType pixels);
   void ReportLimit(
     const penumbra::ImageTotals& totals, const penumbra::ToleranceReport& tolerances, bool isEnded);
   /// Adds the statistics, the tolerances and the estimated errors to the field data of the image.
   void AddFieldData(vtkPenumbraRayCaster* self, vtkImageData* image);
-  penumbra::RenderSettings MakeSettings(vtkPenumbraRayCaster* self) const;
+  penumbra::JobSettings MakeJobSettings(vtkPenumbraRayCaster* self) const;
 };
 
 #endif

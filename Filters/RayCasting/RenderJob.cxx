@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RenderJob.h"
+
+#include "Image/GeometryArrays.h"
+#include "Light/LightRays.h"
+#include "Media/MediumExtraction.h"
+#include "SceneBounds.h"
+#include "Shading/LightWarnings.h"
+
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkPenumbraIrradianceProvider.h"
+#include "vtkPenumbraMedium.h"
+
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace penumbra
+{
+namespace
+{
+
+/// Tolerance of the light of one sample, in light tolerances of the image. The color of a pixel is
+/// the mean of about four samples, which halves their error.
+constexpr double SampleToleranceFactor = 2.0;
+
+}
+
+RenderSettings MakeRenderSettings(const JobSettings& settings)
+{
+  RenderSettings result;
+  result.UsePackets = settings.Constants.UsePackets;
+  result.Integration.Method = settings.Constants.CoverageMethod;
+  result.Integration.Tolerance = settings.Tolerance;
+  result.Integration.MaximumLevel = settings.Constants.MaximumLevel;
+  result.Integration.FindSmallObjects = settings.Constants.FindSmallObjects;
+  result.Integration.Shadows = settings.Shadows;
+  result.Integration.UniformSamples = settings.Constants.UniformSamples;
+  return result;
+}
+
+RenderJob::RenderJob(const Scene& scene, const RayScene& rays, const JobSettings& settings)
+  : SceneData(scene),
+    Rays(rays),
+    Wanted(settings),
+    Lit(rays, settings.Shadows),
+    Tracer(rays, this->Lit, scene.ViewCamera),
+    Settings(MakeRenderSettings(settings))
+{
+}
+
+double RenderJob::GetSampleTolerance() const
+{
+  return SampleToleranceFactor * this->Wanted.LightTolerance;
+}
+
+/// Returns the tolerance of the irradiance at a sample. The image contains Albedo / pi of it.
+double RenderJob::GetSampleIrradianceTolerance() const
+{
+  return this->GetSampleTolerance() * vtkMath::Pi() / this->Wanted.Light.Albedo;
+}
+
+/// Returns the accepted error of the light of a medium, and of light that pixels join. Both are independent.
+double RenderJob::GetEffectTolerance() const
+{
+  const double tolerance = this->Wanted.LightTolerance;
+  return this->Wanted.Medium && this->Joins ? std::sqrt(0.5) * tolerance : tolerance;
+}
+
+double RenderJob::GetOcclusionRadius() const
+{
+  return this->Wanted.OcclusionRadius > 0.0
+    ? this->Wanted.OcclusionRadius
+    : DefaultRadiusFraction * ComputeSceneDiagonal(this->SceneData);
+}
+
+bool RenderJob::BeginProvider(const ProgressCallback& progress, const WarningFunction& warn)
+{
+  const JobSettings& wanted = this->Wanted;
+  const bool occlusion = wanted.HasOcclusion || wanted.HasOcclusionArray;
+  const double fraction = occlusion && wanted.HasIndirectLight ? 0.5 : 1.0;
+  double done = 0.0;
+  const auto part = [&](double of) { return progress(done + fraction * of); };
+  if (occlusion)
+  {
+    if (!wanted.Provider->Begin(this->Rays, { this->GetOcclusionRadius(), wanted.OcclusionFalloff },
+          this->GetSampleTolerance(), part))
+    {
+      return false;
+    }
+    done = fraction;
+  }
+  if (!wanted.HasIndirectLight)
+  {
+    return true;
+  }
+  this->Light = std::make_shared<const Illumination>(this->Rays, wanted.Light);
+  warn(DescribeMissingLight(this->Rays, wanted.Shadows, &*this->Light), true);
+  return wanted.Provider->BeginIrradiance(*this->Light, this->GetSampleIrradianceTolerance(), part);
+}
+
+void RenderJob::UseProvider()
+{
+  if (this->Wanted.HasOcclusion)
+  {
+    this->Tracer.SetOcclusion(
+      this->Wanted.Provider, this->Wanted.OcclusionStrength, this->GetSampleTolerance());
+  }
+  if (this->Light)
+  {
+    this->Tracer.SetIndirectLight(
+      this->Wanted.Provider, this->Wanted.Light.Albedo, this->GetSampleIrradianceTolerance());
+  }
+}
+
+void RenderJob::JoinPixels()
+{
+  const JobSettings& wanted = this->Wanted;
+  auto effects = std::make_shared<LightEffects>();
+  effects->Tolerance = this->GetEffectTolerance();
+  effects->Light = this->Light;
+  if (wanted.HasOcclusion)
+  {
+    effects->Occlusion.emplace(this->Rays,
+      DistanceFalloff::InScene(
+        this->GetOcclusionRadius(), wanted.OcclusionFalloff, this->SceneData.Scale),
+      effects->Tolerance);
+  }
+  this->Settings.KeepsOcclusion = wanted.HasOcclusion && wanted.HasOcclusionArray;
+  this->Tracer.SetLayerLight(wanted.HasOcclusion, wanted.OcclusionStrength);
+  this->Lit.SetUniformLight(glm::vec3(effects->GetUniformLight()));
+  this->Settings.Light = std::move(effects);
+}
+
+void RenderJob::AddMedium(const WarningFunction& warn)
+{
+  std::string warning;
+  std::optional<LightShafts> made =
+    MakeLightShafts(this->Wanted.Medium, this->Lit, ComputeSceneDiagonal(this->SceneData),
+      { this->GetEffectTolerance(), this->Wanted.Constants.LightShaftSteps }, warning);
+  if (made)
+  {
+    this->Shafts.emplace(*std::move(made));
+  }
+  this->Tracer.SetShafts(this->Shafts ? &*this->Shafts : nullptr);
+  if (this->Shafts && this->Shafts->GetMedium().AttenuatesSurfaceLight)
+  {
+    this->Lit.SetAttenuation(&this->Shafts->GetMedium());
+  }
+  warn(warning, false);
+}
+
+bool RenderJob::Begin(const ProgressCallback& progress, const WarningFunction& warn)
+{
+  const JobSettings& wanted = this->Wanted;
+  this->Tracer.SetPenumbraTolerance(this->GetSampleTolerance());
+  if (wanted.UsesProvider() && !this->BeginProvider(progress, warn))
+  {
+    return false;
+  }
+  const bool isLit = wanted.HasOcclusion || wanted.HasIndirectLight;
+  this->Joins = isLit && wanted.Constants.CoverageMethod != CoverageMethods::Uniform &&
+    wanted.Provider->JoinsPixels(wanted.HasOcclusion, wanted.HasIndirectLight);
+  IntegrationSettings& integration = this->Settings.Integration;
+  if (this->Joins)
+  {
+    this->JoinPixels();
+  }
+  else if (isLit)
+  {
+    integration.LightTolerance = wanted.LightTolerance;
+    integration.Noise = this->GetSampleTolerance();
+    this->UseProvider();
+  }
+  if (wanted.Shadows && !wanted.HasIndirectLight)
+  {
+    warn(DescribeMissingLight(this->Rays, true, nullptr), true);
+  }
+  this->AddMedium(warn);
+  if (this->Shafts || this->Lit.HasPenumbrae())
+  {
+    integration.LightTolerance = wanted.LightTolerance;
+  }
+  this->Limits = integration;
+  this->Limits.LightTolerance = this->Settings.HasLightErrors() ? wanted.LightTolerance : 0.0;
+  return true;
+}
+
+void RenderJob::SetLimit(std::unique_ptr<WorkLimit> limit, bool endsTiles)
+{
+  this->Limit = std::move(limit);
+  this->Settings.Limit = this->Limit.get();
+  this->Settings.Integration.Limit = endsTiles ? this->Limit.get() : nullptr;
+}
+
+void RenderJob::LightSamplesAlone()
+{
+  if (this->Joins)
+  {
+    this->Lit.SetUniformLight(glm::vec3(0.f));
+    this->UseProvider();
+  }
+}
+
+bool RenderJob::AddArrays(const ProgressCallback& progress, vtkImageData* image, RayCounts& rays)
+{
+  if (!this->Wanted.HasGeometryArrays)
+  {
+    return true;
+  }
+  const bool asks = this->Wanted.HasOcclusionArray && !this->Settings.KeepsOcclusion;
+  this->Tracer.SetOcclusion(asks ? this->Wanted.Provider : nullptr, this->Wanted.OcclusionStrength,
+    this->GetSampleTolerance());
+  return AddGeometryArrays(this->Tracer, progress, image, rays);
+}
+
+}
