@@ -18,6 +18,7 @@
 #include "vtkLightCollection.h"
 #include "vtkNew.h"
 #include "vtkPenumbraLightShaftPass.h"
+#include "vtkPenumbraOcclusionConstants.h"
 #include "vtkPenumbraTemporalSSAOPass.h"
 #include "vtkPenumbraTracedEstimator.h"
 #include "vtkPointData.h"
@@ -66,6 +67,17 @@ double GetPassTolerance(const RenderOptions& options)
   return options.LightTolerance > 0.0 ? options.LightTolerance : options.Tolerance;
 }
 
+/// Returns the number of steps of samples in a frame: of rays, those that trace each tile once.
+int CountStepsOfFrame(const RenderOptions& options)
+{
+  constexpr int TileSize = 16;
+  const std::string& kernel = options.AmbientOcclusionKernel;
+  const auto count = [](int pixels) { return (pixels + TileSize - 1) / TileSize; };
+  return kernel == "traced" || kernel == "automatic"
+    ? count(options.Resolution[0]) * count(options.Resolution[1])
+    : 1;
+}
+
 vtkPenumbraTemporalSSAOPass* AddOcclusion(vtkRenderer* renderer, const RenderOptions& options)
 {
   vtkPenumbraTracedEstimator::Register();
@@ -73,6 +85,8 @@ vtkPenumbraTemporalSSAOPass* AddOcclusion(vtkRenderer* renderer, const RenderOpt
   pass->SetKernelName(options.AmbientOcclusionKernel.c_str());
   pass->SetConvergeInOneRender(
     options.Frames > 0 ? vtkPenumbraTemporalSSAOPass::NEVER : vtkPenumbraTemporalSSAOPass::ALWAYS);
+  // A number of frames that is given makes an image that does not depend on the speed of the machine.
+  pass->GetConstants().StepsPerFrame = options.Frames > 0 ? CountStepsOfFrame(options) : 0;
   pass->SetStrength(!std::isnan(options.AmbientOcclusionStrength)
       ? options.AmbientOcclusionStrength
       : (options.Coloring.Enabled ? StrengthOnData : 1.0));

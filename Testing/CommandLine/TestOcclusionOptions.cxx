@@ -148,3 +148,35 @@ TEST(Render, AppliesNamedFalloff)
     last = mean;
   }
 }
+
+// Frames of a window take as many rays as fit into a time; those of the program do not.
+TEST(Render, MakesTheSameImageInANumberOfFramesOnAnyNumberOfThreads)
+{
+  const Folder folder("frames");
+  std::vector<std::vector<unsigned char>> images;
+  std::vector<double> samples;
+  for (const std::string threads : { "1", "2" })
+  {
+    const std::string report = folder / (threads + ".json");
+    const std::string image = folder / (threads + ".png");
+    const ProgramResult outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/head.ply",
+      "--resolution", "160,120", "--engine", "raster", "--ambient-occlusion", "--frames", "4",
+      "--threads", threads, "--output", image, "--statistics", report });
+    ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+    const Json statistics = ReadJson(report)["statistics"];
+    EXPECT_EQ(statistics["Occlusion/Kernel"], "traced");
+    samples.push_back(statistics["Samples/Static"]);
+    const auto drawn = ReadImage(image);
+    vtkDataArray* colors = drawn->GetPointData()->GetScalars();
+    images.emplace_back();
+    for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+    {
+      for (int c = 0; c < colors->GetNumberOfComponents(); ++c)
+      {
+        images.back().push_back(static_cast<unsigned char>(colors->GetComponent(i, c)));
+      }
+    }
+  }
+  EXPECT_EQ(samples[0], samples[1]);
+  EXPECT_EQ(images[0], images[1]);
+}
