@@ -82,8 +82,7 @@ public:
   {
   }
 
-  /// Returns the lowest triangle that shares the hit `exact` of `triangle`, or Hit::None if Embree may
-  /// miss all of them.
+  /// Returns the lowest triangle that shares the hit `exact` of `triangle`.
   std::uint32_t FindLowest(std::uint32_t triangle, const RayTriangle& exact);
 
 private:
@@ -101,8 +100,6 @@ private:
   void AddPoint(double distance, double tolerance);
   /// Tests the triangles near a point of the ray.
   void Visit(double distance, double tolerance, std::uint32_t triangle);
-  /// Returns true if rays enter the box of the triangle, of which this ray may touch a side.
-  bool IsEntered(std::uint32_t triangle) const;
   /// Includes a triangle if it shares the hit at a point of the ray.
   void Test(std::uint32_t triangle, double distance);
 
@@ -113,7 +110,6 @@ private:
   const double SquaredLength;
   const std::uint32_t Surface;
   std::uint32_t Lowest = 0;
-  bool IsFound = false;         ///< Embree finds one of the triangles
   double Points[MaximumPoints]; ///< distances along the ray
   int Count = 0;
 };
@@ -154,21 +150,6 @@ void EdgeHits::VisitEdges(std::uint32_t triangle, double tolerance, const OnEdge
   }
 }
 
-// Embree replaces a component 0 of the direction by a small positive number, so that a ray within the upper side
-// of a box leaves the box at the origin.
-bool EdgeHits::IsEntered(std::uint32_t triangle) const
-{
-  const auto [a, b, c] = this->Mesh.GetPoints(triangle);
-  const glm::vec3 high = glm::max(a, glm::max(b, c));
-  bool isEntered = true;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    isEntered = isEntered &&
-      (this->TracedRay.Direction[axis] != 0.f || high[axis] > this->TracedRay.Origin[axis]);
-  }
-  return isEntered;
-}
-
 void EdgeHits::AddPoint(double distance, double tolerance)
 {
   const double* const end = this->Points + this->Count;
@@ -197,7 +178,6 @@ void EdgeHits::Test(std::uint32_t triangle, double distance)
   if (isShared)
   {
     this->Lowest = std::min(this->Lowest, triangle);
-    this->IsFound = this->IsFound || this->IsEntered(triangle);
     this->VisitEdges(
       triangle, exact.EdgeTolerance, [&](double at) { this->AddPoint(at, exact.EdgeTolerance); });
   }
@@ -260,14 +240,13 @@ void EdgeHits::Visit(double distance, double tolerance, std::uint32_t triangle)
 std::uint32_t EdgeHits::FindLowest(std::uint32_t triangle, const RayTriangle& exact)
 {
   this->Lowest = triangle;
-  this->IsFound = this->Mesh.Instances || this->IsEntered(triangle);
   this->VisitEdges(triangle, exact.EdgeTolerance,
     [&](double distance) { this->AddPoint(distance, exact.EdgeTolerance); });
   for (int i = 0; i < this->Count; ++i)
   {
     this->Visit(this->Points[i], exact.EdgeTolerance, triangle);
   }
-  return this->IsFound ? this->Lowest : Hit::None;
+  return this->Lowest;
 }
 
 /// Returns a distance a few units in the last place behind both arguments.
@@ -277,9 +256,9 @@ float MakeNextNear(float distance, float farthestCoincident)
   return farther + std::max(std::abs(farther) * 4e-7f, 1e-30f);
 }
 
-/// Converts a hit of Embree to a hit that does not depend on the instruction set and on other triangles:
-/// resolves coincident surfaces, recomputes the hit in double precision, and selects the lowest triangle at
-/// an edge. Returns a miss if the ray must be continued from Hit::NextNear.
+/// Converts a hit of Embree to a hit that does not depend on the instruction set: resolves
+/// coincident surfaces, recomputes the hit in double precision, and selects the lowest triangle at
+/// an edge.
 Hit MakeHit(const RayScene& rays, const Ray& ray, const Hit& embreeHit, CandidateHits* candidates)
 {
   Hit resolved = embreeHit;
@@ -289,8 +268,6 @@ Hit MakeHit(const RayScene& rays, const Ray& ray, const Hit& embreeHit, Candidat
     resolved = rays.GetCoincidentSurfaces().Resolve(ray, embreeHit, *candidates);
     if (!resolved.IsHit())
     {
-      // All surfaces up to CoincidentFar are to be skipped.
-      resolved.NextNear = MakeNextNear(ray.CoincidentFar, ray.Near);
       return resolved;
     }
   }
@@ -309,12 +286,6 @@ Hit MakeHit(const RayScene& rays, const Ray& ray, const Hit& embreeHit, Candidat
     if (exact.IsOnEdge())
     {
       hit.Primitive = EdgeHits(rays, ray, hit.Surface).FindLowest(hit.Primitive, exact);
-      if (hit.Primitive == Hit::None)
-      {
-        Hit miss;
-        miss.NextNear = MakeNextNear(hit.Distance, resolved.NextNear);
-        return miss;
-      }
       exact = RayTriangle(scene.Surfaces[hit.Surface], hit.Primitive, ray);
     }
     const double u = std::clamp(exact.U, 0.0, 1.0);
@@ -376,12 +347,6 @@ void IntersectPacket(const RayScene& scene, RTCScene tree, const Ray* rays, Hit*
       hits[i].V = query.hit.v[i];
       hits[i].Distance = query.ray.tfar[i];
       hits[i] = MakeHit(scene, rays[i], hits[i], collected ? collected + i : nullptr);
-      if (!hits[i].IsHit())
-      {
-        Ray rest = rays[i];
-        rest.Near = hits[i].NextNear;
-        hits[i] = scene.Intersect(rest);
-      }
     }
   }
 }
@@ -407,9 +372,9 @@ Hit RayScene::Intersect(const Ray& ray) const
   Hit hit;
   while (IsTraceable(rest) && !this->IntersectOnce(rest, hit))
   {
-    rest.Near = hit.NextNear;
-    rest.FirstInOrder = rest.Near > rest.CoincidentFar ? 0 : rest.FirstInOrder;
-    hit = Hit();
+    // All surfaces up to CoincidentFar are to be skipped.
+    rest.Near = MakeNextNear(rest.CoincidentFar, rest.Near);
+    rest.FirstInOrder = 0;
   }
   return hit;
 }
