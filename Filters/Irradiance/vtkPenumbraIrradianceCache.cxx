@@ -11,6 +11,7 @@
 #include "Records/RecordPolyData.h"
 #include "Records/ViewRecords.h"
 #include "Scene.h"
+#include "Shading/TranslucentOcclusion.h"
 #include "Statistics/Statistics.h"
 #include "Surface.h"
 
@@ -229,10 +230,12 @@ bool vtkPenumbraIrradianceCache::Internals::UsesRecords(vtkPenumbraIrradianceCac
 {
   cache.Records.reset();
   cache.DensityRays = 0;
+  const RayScene& rays = gatherer.GetRays();
   return !self->JoinPixels ||
-    NeedsFewRecords(
-      gatherer.GetRays(), gatherer, settings, NormalAngle(self, settings),
-      [&](double) { return progress && progress(0.0); }, cache.DensityRays);
+    (!HasTranslucentOccluders(rays.GetScene()) &&
+      NeedsFewRecords(
+        rays, gatherer, settings, NormalAngle(self, settings),
+        [&](double) { return progress && progress(0.0); }, cache.DensityRays));
 }
 
 bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCache* self,
@@ -363,9 +366,11 @@ bool vtkPenumbraIrradianceCache::BeginIrradiance(
   };
   try
   {
-    if (!Internals::UsesRecords(
-          this, self.Irradiance, self.Light->GetGatherer(), settings, progress))
+    const bool hasShortPaths = light.GetSettings().Bounces < MinimumRecordReflections;
+    if ((this->JoinPixels && hasShortPaths) ||
+      !Internals::UsesRecords(this, self.Irradiance, self.Light->GetGatherer(), settings, progress))
     {
+      self.Irradiance.Records.reset();
       self.BruteForce->BeginIrradiance(light, tolerance);
     }
     else if (!self.Light->Build(Viewpoints(rays, before), before) ||

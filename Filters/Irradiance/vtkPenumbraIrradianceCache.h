@@ -115,7 +115,8 @@ public:
   ///@{
   /**
    * If on, records are used only for quantities of which they need few, as in rooms and on smooth
-   * surfaces. Otherwise images estimate them for all pixels together, as with
+   * surfaces, for irradiance of three or more reflections, and not with translucent surfaces. Otherwise
+   * images estimate them for all pixels together, as with
    * vtkPenumbraBruteForceIrradiance. Default: off.
    */
   vtkSetMacro(JoinPixels, bool);

@@ -11,7 +11,6 @@
 #include "vtkPenumbraHemisphereLib.h"
 #include "vtkPenumbraHistoryLengthLib.h"
 #include "vtkPenumbraKernels.h"
-#include "vtkPenumbraMotionQualityLib.h"
 #include "vtkPenumbraStaticQualityLib.h"
 #include "vtkPenumbraSurfaceLib.h"
 #include "vtkPenumbraViewLib.h"
@@ -183,17 +182,12 @@ double vtkPenumbraKernelEstimator::ComputeThickness(const Request& request)
   return state.Thickness.Get();
 }
 
-std::string vtkPenumbraKernelEstimator::AssembleShader(const char* quality)
-{
-  return penumbra::Assemble(vtkPenumbraEstimateLib,
-    { { "QualityLib", quality }, { "Kernel", vtkPenumbraKernels::GetShader(this->Kernel) },
-      { "HemisphereLib", vtkPenumbraHemisphereLib },
-      { "HistoryLengthLib", vtkPenumbraHistoryLengthLib } });
-}
-
 std::string vtkPenumbraKernelEstimator::GetShader()
 {
-  return this->AssembleShader(vtkPenumbraMotionQualityLib);
+  return penumbra::Assemble(vtkPenumbraEstimateLib,
+    { { "Kernel", vtkPenumbraKernels::GetShader(this->Kernel) },
+      { "HemisphereLib", vtkPenumbraHemisphereLib },
+      { "HistoryLengthLib", vtkPenumbraHistoryLengthLib } });
 }
 
 int vtkPenumbraKernelEstimator::SetUniforms(const Request& request, vtkShaderProgram* program)
@@ -226,7 +220,7 @@ int vtkPenumbraKernelEstimator::Estimate(const Request& request, vtkTextureObjec
   {
     state.Source = penumbra::Assemble(vtkPenumbraEstimateFS,
       { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
-        { "EstimateLib", this->AssembleShader(vtkPenumbraStaticQualityLib) } });
+        { "EstimateLib", this->GetShader() }, { "QualityLib", vtkPenumbraStaticQualityLib } });
   }
   vtkShaderProgram* program = state.Stage.Ready(request.Window, state.Source);
   const penumbra::ScopedRenderTarget renderTarget(

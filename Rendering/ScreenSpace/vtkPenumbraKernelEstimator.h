@@ -53,9 +53,6 @@ private:
 
   double ComputeThickness(const Request& request);
 
-  /** Return the shader of the kernel; `quality`: the piece QualityLib. */
-  std::string AssembleShader(const char* quality);
-
   struct Internals;
   std::unique_ptr<Internals> Implementation;
 

@@ -13,6 +13,10 @@ namespace penumbra
 
 class RayScene;
 
+/// Fewest reflections with which records may replace joined pixels: the shorter paths are, the fewer rays joined
+/// pixels take, and they have no noise where surfaces touch.
+constexpr int MinimumRecordReflections = 3;
+
 /// Places records at visible points, level by level as ViewRecords does, and discards them. Returns false
 /// as soon as more than a fraction of the points of a level needed one, or if there are no points.
 /// Adds the rays traced to `traced`. Throws Stopped if `progress` requests a stop.

@@ -10,6 +10,7 @@
 #include "vtkPenumbraCameraMotionLib.h"
 #include "vtkPenumbraFiniteValuesLib.h"
 #include "vtkPenumbraHistoryLengthLib.h"
+#include "vtkPenumbraMotionQualityLib.h"
 #include "vtkPenumbraNoSampleValidationLib.h"
 #include "vtkPenumbraPrecomputedEstimateLib.h"
 #include "vtkPenumbraReprojectFS.h"
@@ -32,7 +33,8 @@ std::string AssembleReprojection(const TemporalSettings& settings, const std::st
 {
   return Assemble(vtkPenumbraReprojectFS,
     { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
-      { "EstimateLib", estimate }, { "HistoryLengthLib", vtkPenumbraHistoryLengthLib },
+      { "EstimateLib", estimate }, { "QualityLib", vtkPenumbraMotionQualityLib },
+      { "HistoryLengthLib", vtkPenumbraHistoryLengthLib },
       { "FiniteValuesLib", vtkPenumbraFiniteValuesLib },
       { "ActorMotionLib",
         settings.Motion ? vtkPenumbraActorMotionLib : vtkPenumbraCameraMotionLib },
