@@ -120,7 +120,7 @@ struct vtkPenumbraIrradianceCache::Internals
     vtkPenumbraIrradianceCache* self, double accepted, double radiance);
   static float NormalAngle(
     vtkPenumbraIrradianceCache* self, const RecordPlacementSettings& settings);
-  static bool UsesRecords(vtkPenumbraIrradianceCache* self, QuantityCache& cache,
+  static bool UsesRecords(vtkPenumbraIrradianceCache* self, QuantityCache& cache, int reflections,
     const RayGatherer& gatherer, const RecordPlacementSettings& settings, const Progress& progress);
   bool MakeRecords(vtkPenumbraIrradianceCache* self, penumbra::Quantities quantity,
     const RayGatherer& rayGatherer, const RecordPlacementSettings& settings,
@@ -223,16 +223,16 @@ float vtkPenumbraIrradianceCache::Internals::NormalAngle(
     : RecordPlacement::ComputeNormalAngle(settings.Tolerance);
 }
 
-/// Returns false, and clears the records, if images join their pixels instead.
+/// Clears the records. Returns false if images join their pixels instead.
 bool vtkPenumbraIrradianceCache::Internals::UsesRecords(vtkPenumbraIrradianceCache* self,
-  QuantityCache& cache, const RayGatherer& gatherer, const RecordPlacementSettings& settings,
-  const Progress& progress)
+  QuantityCache& cache, int reflections, const RayGatherer& gatherer,
+  const RecordPlacementSettings& settings, const Progress& progress)
 {
   cache.Records.reset();
   cache.DensityRays = 0;
   const RayScene& rays = gatherer.GetRays();
   return !self->JoinPixels ||
-    (!HasTranslucentOccluders(rays.GetScene()) &&
+    (reflections >= MinimumRecordReflections && !HasTranslucentOccluders(rays.GetScene()) &&
       NeedsFewRecords(
         rays, gatherer, settings, NormalAngle(self, settings),
         [&](double) { return progress && progress(0.0); }, cache.DensityRays));
@@ -244,7 +244,6 @@ bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCac
 {
   const RayScene& rays = rayGatherer.GetRays();
   QuantityCache& cache = quantity == Quantities::Occlusion ? this->Occlusion : this->Irradiance;
-  cache.Records.reset();
   cache.CustomGatherer = this->CustomGatherer ? this->CustomGatherer->Make(rayGatherer) : nullptr;
   std::vector<Record> initial;
   const auto other =
@@ -295,7 +294,8 @@ bool vtkPenumbraIrradianceCache::Begin(const penumbra::RayScene& rays, const Occ
   try
   {
     const RecordPlacementSettings settings = Internals::MakeSettings(this, tolerance, 1.0);
-    if (Internals::UsesRecords(this, self.Occlusion, *self.Occluders, settings, progress) &&
+    if (Internals::UsesRecords(
+          this, self.Occlusion, MinimumRecordReflections, *self.Occluders, settings, progress) &&
       !self.MakeRecords(this, Quantities::Occlusion, *self.Occluders, settings, progress))
     {
       return false;
@@ -366,11 +366,10 @@ bool vtkPenumbraIrradianceCache::BeginIrradiance(
   };
   try
   {
-    const bool hasShortPaths = light.GetSettings().Bounces < MinimumRecordReflections;
-    if ((this->JoinPixels && hasShortPaths) ||
-      !Internals::UsesRecords(this, self.Irradiance, self.Light->GetGatherer(), settings, progress))
+    const LightGatherer& direct = self.Light->GetGatherer();
+    if (!Internals::UsesRecords(
+          this, self.Irradiance, light.GetSettings().Bounces, direct, settings, progress))
     {
-      self.Irradiance.Records.reset();
       self.BruteForce->BeginIrradiance(light, tolerance);
     }
     else if (!self.Light->Build(Viewpoints(rays, before), before) ||

@@ -263,7 +263,7 @@ void AddVisibleLines(const CameraRayTracer& tracer, std::vector<FigurePath>& pat
         (stroke.Width + EdgeOffset) * ComputePixelSize(camera, depth);
       // Strokes of the same surface are drawn over those behind them, which may be wider than they hide.
       Ray ray = tracer.MakeRay(stroke.At(t));
-      Hit hit = tracer.TraceFirstHit(stroke.At(t));
+      Hit hit = tracer.GetRays().Intersect(ray);
       for (int i = 0; i < MaximumStrokesInFront && hit.IsHit() && hit.Surface == stroke.Surface;
            ++i)
       {
