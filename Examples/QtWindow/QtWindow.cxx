@@ -76,7 +76,7 @@ class Window : public QMainWindow
 public:
   Window();
 
-  /// Writes what the window shows. The frames after which the occlusion has converged are the same.
+  /// Writes what the window shows.
   void SaveWindow(const QString& path);
   /// Ray casts the scene in the size of the window. Returns the estimated error; NaN if cancelled.
   double SaveImage(const QString& path);
@@ -204,9 +204,9 @@ int main(int argc, char* argv[])
   window.resize(800, 600);
   window.show();
   const QStringList arguments = QApplication::arguments();
+  QTimer poll;
   if (arguments.size() == 3 && arguments[1] == "--images")
   {
-    QTimer poll;
     QObject::connect(&poll, &QTimer::timeout, [&]() {
       if (window.Occlusion->IsConverged())
       {
@@ -219,7 +219,6 @@ int main(int argc, char* argv[])
       }
     });
     poll.start(50);
-    return QApplication::exec();
   }
   return QApplication::exec();
 }
