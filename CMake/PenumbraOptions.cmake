@@ -64,7 +64,7 @@ add_compile_options(-ffp-contract=off)
 
 # GCC reports checks inserted by AddressSanitizer as uses of uninitialized variables.
 if (PENUMBRA_SANITIZERS)
-  add_compile_options(-O1 -g1 -UNDEBUG -fno-omit-frame-pointer -Wno-maybe-uninitialized
+  add_compile_options(-O2 -g1 -UNDEBUG -fno-omit-frame-pointer -Wno-maybe-uninitialized
     -fsanitize=address,undefined -fno-sanitize-recover=undefined)
   add_link_options(-fsanitize=address,undefined)
 endif ()

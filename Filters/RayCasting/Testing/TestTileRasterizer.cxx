@@ -276,7 +276,7 @@ TEST(TileRasterizer, AcceptsTrianglesFarOutsideOfTheImage)
   scene.Surfaces.resize(1);
   Surface& surface = scene.Surfaces[0];
   std::uint32_t seed = 9u;
-  for (int i = 0; i < 300; ++i)
+  for (int i = 0; i < 60; ++i)
   {
     for (int k = 0; k < 3; ++k)
     {
@@ -287,5 +287,6 @@ TEST(TileRasterizer, AcceptsTrianglesFarOutsideOfTheImage)
     surface.Triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
   }
   const Comparison result = CompareWithRays(scene, true);
-  EXPECT_LT(result.RayPixels, Side * Side + 1);
+  EXPECT_EQ(result.RayPixels, 0);
+  EXPECT_LE(result.Different, 1e-4 * result.Samples);
 }
