@@ -346,7 +346,7 @@ void KeepActor(vtkActor*) {}
 
 TEST(vtkPenumbraDistributedRayCaster, MatchesOneRank)
 {
-  for (const int ranks : { 1, 2, 3, 8 })
+  for (const int ranks : { 1, 2, 3, 4, 5, 6, 7, 8 })
   {
     SCOPED_TRACE(ranks);
     const Image image = ExpectSameOnRanks(ranks, MakeCoarse, UseDefaults);

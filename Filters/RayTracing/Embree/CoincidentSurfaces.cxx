@@ -216,13 +216,16 @@ void CoincidentSurfaces::Sort()
   this->NextInOrder.assign(count, 0);
   this->Empty = true;
   std::vector<std::uint32_t> order;
+  AxisAlignedBox bounds;
   for (std::uint32_t i = 0; i < count; ++i)
   {
     if (this->TraitsBySurface[i].HasTriangles)
     {
       order.push_back(i);
+      bounds.Add(this->TraitsBySurface[i].Bounds);
     }
   }
+  this->Center = order.empty() ? glm::vec3(0.f) : 0.5f * bounds.Low + 0.5f * bounds.High;
   std::sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
     return this->TraitsBySurface[a].Bounds.Low.x < this->TraitsBySurface[b].Bounds.Low.x;
   });

@@ -100,6 +100,9 @@ public:
   /// Returns true if no two surfaces are near each other, and none coincides with itself.
   bool IsEmpty() const { return this->Empty; }
 
+  /// Returns the center of the bounds of all triangles.
+  glm::vec3 GetCenter() const { return this->Center; }
+
   /// Returns the visible hit of the candidates; `embreeHit` is what Embree returned.
   /// Hit::NextNear of the result is the distance of the farthest coincident hit. Returns a miss if
   /// the ray skips all candidates.
@@ -130,6 +133,7 @@ private:
   std::vector<float> DepthTolerances; ///< per surface
   std::vector<char> LastInFront;      ///< per surface: see IsLastInFront()
   bool Empty = true;
+  glm::vec3 Center{ 0.f };
   std::vector<int> DrawOrder;   ///< per surface; lower values are in front
   std::vector<int> NextInOrder; ///< place in this order of the next one that a ray meets
 };

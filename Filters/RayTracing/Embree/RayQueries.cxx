@@ -8,6 +8,7 @@
 #include "PlanarCells.h"
 #include "RayScene.h"
 #include "RayTriangle.h"
+#include "RoundIntersection.h"
 #include "Scene.h"
 #include "SliverTree.h"
 #include "Surface.h"
@@ -20,7 +21,6 @@
 
 namespace penumbra
 {
-
 namespace
 {
 
@@ -34,41 +34,67 @@ static_assert(
 /// Larger coordinates of rays fail an assertion in Embree.
 constexpr float LargestCoordinate = 1.8e18f;
 
+inline float SumSizes(glm::vec3 v)
+{
+  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
 /// Returns true if the ray is finite, has a direction and is not empty. Other rays are not passed
 /// to Embree.
 bool IsTraceable(const Ray& ray)
 {
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    // The comparisons are false for NaN.
-    if (!(std::abs(ray.Origin[axis]) <= LargestCoordinate &&
-          std::abs(ray.Direction[axis]) <= LargestCoordinate))
-    {
-      return false;
-    }
-  }
-  return ray.Near >= 0.f && ray.Near <= ray.Far && ray.Direction != glm::vec3(0.f);
+  // The comparisons are false for NaN.
+  const float size = SumSizes(ray.Direction);
+  return SumSizes(ray.Origin) <= LargestCoordinate && size <= LargestCoordinate && size > 0.f &&
+    ray.Near >= 0.f && ray.Near <= ray.Far;
 }
 
-void Fill(RTCRay& to, const Ray& from)
+/// Slope of a turned ray. It exceeds the rounding errors of Embree, so that the ray does not touch an edge.
+constexpr float PlaneSlope = 5e-7f;
+
+bool IsInCoordinatePlane(const Ray& ray)
 {
-  to.org_x = from.Origin.x;
-  to.org_y = from.Origin.y;
-  to.org_z = from.Origin.z;
-  to.tnear = from.Near;
-  to.dir_x = from.Direction.x;
-  to.dir_y = from.Direction.y;
-  to.dir_z = from.Direction.z;
-  to.time = 0.f;
-  to.tfar = from.Far;
-  to.mask = 0xffffffffu;
-  to.id = 0;
-  to.flags = 0;
+  return ray.Direction.x == 0.f || ray.Direction.y == 0.f || ray.Direction.z == 0.f;
+}
+
+/// Returns the direction that is passed to Embree. Whether Embree finds a triangle with an edge in the coordinate
+/// plane of a ray depends on the other triangles in its boxes, which may end there. Such a ray is turned toward the
+/// center of the scene, so that it meets the outermost triangles.
+inline glm::vec3 TurnFromPlanes(const Ray& ray, glm::vec3 center)
+{
+  glm::vec3 direction = ray.Direction;
+  if (IsInCoordinatePlane(ray))
+  {
+    const float slope = PlaneSlope * SumSizes(direction);
+    const glm::vec3 toCenter = center - ray.Origin;
+    direction.x = direction.x == 0.f ? std::copysign(slope, toCenter.x) : direction.x;
+    direction.y = direction.y == 0.f ? std::copysign(slope, toCenter.y) : direction.y;
+    direction.z = direction.z == 0.f ? std::copysign(slope, toCenter.z) : direction.z;
+  }
+  return direction;
+}
+
+/// Copies a ray to the ray `i` of a packet of `size` rays of Embree, which may be 1.
+void Fill(void* packet, unsigned int size, unsigned int i, const Ray& ray, glm::vec3 center)
+{
+  auto* const to = static_cast<RTCRayN*>(packet);
+  const glm::vec3 direction = TurnFromPlanes(ray, center);
+  RTCRayN_org_x(to, size, i) = ray.Origin.x;
+  RTCRayN_org_y(to, size, i) = ray.Origin.y;
+  RTCRayN_org_z(to, size, i) = ray.Origin.z;
+  RTCRayN_tnear(to, size, i) = ray.Near;
+  RTCRayN_dir_x(to, size, i) = direction.x;
+  RTCRayN_dir_y(to, size, i) = direction.y;
+  RTCRayN_dir_z(to, size, i) = direction.z;
+  RTCRayN_time(to, size, i) = 0.f;
+  RTCRayN_tfar(to, size, i) = ray.Far;
+  RTCRayN_mask(to, size, i) = 0xffffffffu;
+  RTCRayN_id(to, size, i) = i;
+  RTCRayN_flags(to, size, i) = 0;
 }
 
 /// Finds the triangles of a surface that share a hit at an edge or vertex: those with an edge that the ray
-/// meets at the same point, up to rounding errors, or at points that they have in common with others. They are
-/// the same ones whichever of them Embree returns.
+/// meets at the same point, or at points that others of them share, whichever of them Embree returns.
 class EdgeHits
 {
 public:
@@ -249,6 +275,19 @@ std::uint32_t EdgeHits::FindLowest(std::uint32_t triangle, const RayTriangle& ex
   return this->Lowest;
 }
 
+/// Computes the hit of a ray again that was turned.
+void RecomputeRoundHit(const RoundShape& shape, const Ray& ray, Hit& hit)
+{
+  const glm::dvec3 origin(ray.Origin);
+  const glm::dvec3 direction(ray.Direction);
+  if (const RoundIntersection range(shape, origin, direction); range.IsHit)
+  {
+    const double distance = range.FindNearest(hit.Distance);
+    hit.Distance = static_cast<float>(distance);
+    hit.U = static_cast<float>(TouchingSphere(shape, origin + distance * direction).U);
+  }
+}
+
 /// Returns a distance a few units in the last place behind both arguments.
 float MakeNextNear(float distance, float farthestCoincident)
 {
@@ -275,6 +314,10 @@ Hit MakeHit(const RayScene& rays, const Ray& ray, const Hit& embreeHit, Candidat
   const Scene& scene = rays.GetScene();
   if (scene.Surfaces[hit.Surface].IsRound())
   {
+    if (IsInCoordinatePlane(ray))
+    {
+      RecomputeRoundHit(scene.Surfaces[hit.Surface].GetRoundShape(hit.Primitive), ray, hit);
+    }
     hit.NextNear = MakeNextNear(hit.Distance, resolved.NextNear);
     return hit;
   }
@@ -297,45 +340,33 @@ Hit MakeHit(const RayScene& rays, const Ray& ray, const Hit& embreeHit, Candidat
   return hit;
 }
 
-/// Copies rays to an Embree packet of `Size` rays and marks the valid ones.
-template <int Size, typename Packet>
-void Fill(Packet& to, int* valid, const Ray* rays)
+/// Copies rays to a packet and marks the valid ones.
+template <unsigned int Size>
+void Fill(void* packet, int* valid, const Ray* rays, glm::vec3 center)
 {
-  for (int i = 0; i < Size; ++i)
+  for (unsigned int i = 0; i < Size; ++i)
   {
-    const Ray& ray = rays[i];
-    valid[i] = IsTraceable(ray) ? -1 : 0;
-    to.org_x[i] = ray.Origin.x;
-    to.org_y[i] = ray.Origin.y;
-    to.org_z[i] = ray.Origin.z;
-    to.tnear[i] = ray.Near;
-    to.dir_x[i] = ray.Direction.x;
-    to.dir_y[i] = ray.Direction.y;
-    to.dir_z[i] = ray.Direction.z;
-    to.time[i] = 0.f;
-    to.tfar[i] = ray.Far;
-    to.mask[i] = 0xffffffffu;
-    to.id[i] = static_cast<unsigned int>(i);
-    to.flags[i] = 0;
+    valid[i] = IsTraceable(rays[i]) ? -1 : 0;
+    Fill(packet, Size, i, rays[i], center);
   }
 }
 
 /// Computes the nearest hits of a packet of rays.
 template <typename Packet, int Size>
-void IntersectPacket(const RayScene& scene, RTCScene tree, const Ray* rays, Hit* hits)
+void IntersectPacket(const RayScene& scene, const Ray* rays, Hit* hits)
 {
   CandidateHits candidates[Size];
   CandidateHits* const collected = scene.GetCoincidentSurfaces().IsEmpty() ? nullptr : candidates;
   alignas(64) int valid[Size];
   alignas(64) Packet query;
-  Fill<Size>(query.ray, valid, rays);
+  Fill<Size>(&query.ray, valid, rays, scene.GetCoincidentSurfaces().GetCenter());
   for (int i = 0; i < Size; ++i)
   {
     query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
     candidates[i].Far = rays[i].Far;
   }
-  Query(true, collected).Intersect(tree, valid, query);
+  Query(true, collected).Intersect(scene.GetTree(), valid, query);
   for (int i = 0; i < Size; ++i)
   {
     hits[i] = Hit();
@@ -353,12 +384,12 @@ void IntersectPacket(const RayScene& scene, RTCScene tree, const Ray* rays, Hit*
 
 /// Computes the occlusion of a packet of rays; Embree sets tfar of occluded rays to -infinity.
 template <typename Packet, int Size>
-void OccludedPacket(RTCScene tree, const Ray* rays, bool* occluded)
+void OccludedPacket(const RayScene& scene, const Ray* rays, bool* occluded)
 {
   alignas(64) int valid[Size];
   alignas(64) Packet query;
-  Fill<Size>(query, valid, rays);
-  Query(false).Occluded(tree, valid, query);
+  Fill<Size>(&query, valid, rays, scene.GetCoincidentSurfaces().GetCenter());
+  Query(false).Occluded(scene.GetTree(), valid, query);
   for (int i = 0; i < Size; ++i)
   {
     occluded[i] = valid[i] != 0 && query.tfar[i] < 0.f;
@@ -383,7 +414,7 @@ bool RayScene::IntersectOnce(const Ray& ray, Hit& hit) const
 {
   hit = Hit();
   RTCRayHit query;
-  Fill(query.ray, ray);
+  Fill(&query.ray, 1, 0, ray, this->Coincident->GetCenter());
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   CandidateHits candidates;
@@ -407,28 +438,28 @@ void RayScene::Intersect16(const Ray* rays, Hit* hits) const
 {
   if (this->TracesPackets16)
   {
-    IntersectPacket<RTCRayHit16, 16>(*this, this->EmbreeScene, rays, hits);
+    IntersectPacket<RTCRayHit16, 16>(*this, rays, hits);
     return;
   }
   // Without native support for 16 rays, Embree would trace them one by one.
-  IntersectPacket<RTCRayHit8, 8>(*this, this->EmbreeScene, rays, hits);
-  IntersectPacket<RTCRayHit8, 8>(*this, this->EmbreeScene, rays + 8, hits + 8);
+  IntersectPacket<RTCRayHit8, 8>(*this, rays, hits);
+  IntersectPacket<RTCRayHit8, 8>(*this, rays + 8, hits + 8);
 }
 
 void RayScene::Intersect8(const Ray* rays, Hit* hits) const
 {
-  IntersectPacket<RTCRayHit8, 8>(*this, this->EmbreeScene, rays, hits);
+  IntersectPacket<RTCRayHit8, 8>(*this, rays, hits);
 }
 
 void RayScene::Occluded16(const Ray* rays, bool* occluded) const
 {
   if (this->TracesPackets16)
   {
-    OccludedPacket<RTCRay16, 16>(this->EmbreeScene, rays, occluded);
+    OccludedPacket<RTCRay16, 16>(*this, rays, occluded);
     return;
   }
-  OccludedPacket<RTCRay8, 8>(this->EmbreeScene, rays, occluded);
-  OccludedPacket<RTCRay8, 8>(this->EmbreeScene, rays + 8, occluded + 8);
+  OccludedPacket<RTCRay8, 8>(*this, rays, occluded);
+  OccludedPacket<RTCRay8, 8>(*this, rays + 8, occluded + 8);
 }
 
 bool RayScene::Occluded(const Ray& ray) const
@@ -438,10 +469,11 @@ bool RayScene::Occluded(const Ray& ray) const
     return false;
   }
   RTCRay query;
-  Fill(query, ray);
+  Fill(&query, 1, 0, ray, this->Coincident->GetCenter());
   Query(false).Occluded(this->EmbreeScene, query);
   return query.tfar < 0.f;
 }
+
 Ray ContinueBehind(Ray ray, const Hit& hit)
 {
   ray.FirstInOrder = hit.NextInOrder;

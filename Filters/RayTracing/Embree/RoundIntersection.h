@@ -22,6 +22,12 @@ struct VTKPENUMBRAFILTERSRAYTRACING_EXPORT RoundIntersection
   double Leave = 0.0;
 
   RoundIntersection(const RoundShape& shape, glm::dvec3 origin, glm::dvec3 direction);
+
+  /// Returns Enter or Leave, whichever is nearer to `distance`.
+  double FindNearest(double distance) const
+  {
+    return distance - this->Enter <= this->Leave - distance ? this->Enter : this->Leave;
+  }
 };
 
 /// The sphere that touches the surface of a shape from the inside near a point. That of a flat end

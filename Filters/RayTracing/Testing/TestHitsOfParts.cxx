@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -83,6 +84,30 @@ Ray MakeRay(double x, double y)
     glm::vec3((x - 0.5 * Width) * PixelSize, 1.0, (y - 0.5 * Height) * PixelSize - 0.15) };
 }
 
+/// Returns triangles with an edge in the plane x = 0, one above the other, the even ones on its left side. The
+/// center of the scene is on the right or left side.
+Surface MakeTrianglesAtPlane(unsigned int count, bool isCenterRight)
+{
+  Surface surface;
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    const float depth = -4.f - 0.3f * static_cast<float>(i * 7 % 10);
+    const auto y = static_cast<float>(i);
+    const float side = i % 2 == 0 ? -1.f : 1.f;
+    surface.Positions.emplace_back(0.f, y, depth);
+    surface.Positions.emplace_back(0.f, y + 1.f, depth - 0.2f);
+    surface.Positions.emplace_back(side, y + 0.5f, depth + 0.1f);
+    surface.Triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+  }
+  const auto whole = std::make_shared<WholeSurface>();
+  whole->Primitives = count;
+  whole->HasTriangles = true;
+  whole->PositionBounds.Add(glm::vec3(isCenterRight ? -1.f : -3.f, 0.f, -10.f));
+  whole->PositionBounds.Add(glm::vec3(isCenterRight ? 3.f : 1.f, 99.f, 0.f));
+  surface.Whole = whole;
+  return surface;
+}
+
 bool AreEqual(const Hit& a, const Hit& b)
 {
   return a.Surface == b.Surface && a.Primitive == b.Primitive && a.U == b.U && a.V == b.V &&
@@ -128,4 +153,37 @@ TEST(RayScene, HitsAreIndependentOfOtherTriangles)
   }
   EXPECT_GT(hitCount, 200000);
   EXPECT_EQ(differentCount, 0);
+}
+
+TEST(RayScene, HitsInACoordinatePlaneAreIndependentOfOtherTriangles)
+{
+  constexpr unsigned int Count = 99;
+  for (const bool isCenterRight : { false, true })
+  {
+    Scene whole;
+    whole.Surfaces.push_back(MakeTrianglesAtPlane(Count, isCenterRight));
+    const RayScene wholeRays(whole, 1);
+    for (unsigned int i = 0; i < Count; ++i)
+    {
+      SCOPED_TRACE(testing::Message() << isCenterRight << " " << i);
+      Scene part;
+      part.Surfaces.push_back(whole.Surfaces[0]);
+      part.Surfaces[0].Triangles = { whole.Surfaces[0].Triangles[i] };
+      part.Surfaces[0].Triangles.reserve(2);
+      const RayScene partRays(part, 1);
+      const bool isHit = (i % 2 == 1) == isCenterRight;
+      for (const RayScene* rays : { &wholeRays, &partRays })
+      {
+        const Ray ray{ glm::vec3(0.f, static_cast<float>(i) + 0.3f, 0.f),
+          glm::vec3(0.f, 0.f, -1.f) };
+        EXPECT_EQ(rays->Intersect(ray).IsHit(), isHit);
+        EXPECT_EQ(rays->Occluded(ray), isHit);
+        Ray packet[16];
+        std::fill_n(packet, 16, ray);
+        Hit hits[16];
+        rays->Intersect16(packet, hits);
+        EXPECT_EQ(hits[5].IsHit(), isHit);
+      }
+    }
+  }
 }
