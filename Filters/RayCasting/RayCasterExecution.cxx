@@ -121,8 +121,8 @@ void vtkPenumbraRayCaster::Internals::FinishImage(vtkPenumbraRayCaster* self,
   penumbra::RenderJob& job, const penumbra::ImageTotals& totals, vtkImageData* image)
 {
   const bool isEnded = job.IsEnded();
-  const penumbra::ToleranceReport tolerances =
-    penumbra::CheckTolerance(job.GetLimits(), totals, isEnded ? self->TimeLimit : 0.0, image);
+  const penumbra::ToleranceReport tolerances = penumbra::CheckTolerance(job.GetLimits(), totals,
+    isEnded ? self->TimeLimit : 0.0, image, glm::ivec2(self->Resolution[0], self->Resolution[1]));
   if (!tolerances.Warning.empty())
   {
     vtkWarningWithObjectMacro(self, << tolerances.Warning);
@@ -193,7 +193,9 @@ bool vtkPenumbraRayCaster::Internals::Continue(vtkPenumbraRayCaster* self, vtkIm
   if (!isComplete)
   {
     this->Report(totals, image->GetNumberOfPoints());
-    this->ReportLimit(totals, penumbra::CheckTolerance(job.GetLimits(), totals, 0.0, image), true);
+    const penumbra::ToleranceReport tolerances = penumbra::CheckTolerance(
+      job.GetLimits(), totals, 0.0, image, glm::ivec2(self->Resolution[0], self->Resolution[1]));
+    this->ReportLimit(totals, tolerances, true);
     this->AddFieldData(self, image);
     timer.End(TRACING);
     return false;

@@ -44,7 +44,8 @@ double Square(double x)
   return x * x;
 }
 
-TileError ComputeTileError(vtkImageData* image, int x, int y)
+/// Pixels outside of the extent of `image` count as exact.
+TileError ComputeTileError(vtkImageData* image, const glm::ivec2& resolution, int x, int y)
 {
   const auto find = [image](const char* name) {
     return vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(name));
@@ -54,7 +55,6 @@ TileError ComputeTileError(vtkImageData* image, int x, int y)
   int extent[6];
   image->GetExtent(extent);
   TileError error;
-  int count = 0;
   for (int j = std::max(y, extent[2]); j <= std::min(y + TileSide - 1, extent[3]); ++j)
   {
     for (int i = std::max(x, extent[0]); i <= std::min(x + TileSide - 1, extent[1]); ++i)
@@ -63,15 +63,16 @@ TileError ComputeTileError(vtkImageData* image, int x, int y)
         static_cast<vtkIdType>(j - extent[2]) * (extent[1] - extent[0] + 1) + i - extent[0];
       error.Total += Square(errors->GetValue(pixel));
       error.Light += lightErrors ? Square(lightErrors->GetValue(pixel)) : 0.0;
-      ++count;
     }
   }
+  const int count = std::min(TileSide, resolution.x - x) * std::min(TileSide, resolution.y - y);
   error.Total /= count;
   error.Light /= count;
   return error;
 }
 
-TileErrors EvaluateTiles(vtkImageData* image, const IntegrationSettings& settings)
+TileErrors EvaluateTiles(
+  vtkImageData* image, const glm::ivec2& resolution, const IntegrationSettings& settings)
 {
   int extent[6];
   image->GetExtent(extent);
@@ -81,7 +82,7 @@ TileErrors EvaluateTiles(vtkImageData* image, const IntegrationSettings& setting
   {
     for (int x = extent[0] / TileSide * TileSide; x <= extent[1]; x += TileSide)
     {
-      const TileError error = ComputeTileError(image, x, y);
+      const TileError error = ComputeTileError(image, resolution, x, y);
       ++tiles.Tiles;
       tiles.MaximumError = std::max(tiles.MaximumError, std::sqrt(error.Total));
       if (std::sqrt(error.Total) > limit)
@@ -109,9 +110,9 @@ const char* FindRemedy(const TileErrors& tiles)
 }
 
 ToleranceReport CheckTolerance(const IntegrationSettings& settings, const ImageTotals& totals,
-  double timeLimit, vtkImageData* image)
+  double timeLimit, vtkImageData* image, const glm::ivec2& resolution)
 {
-  const TileErrors tiles = EvaluateTiles(image, settings);
+  const TileErrors tiles = EvaluateTiles(image, resolution, settings);
   const double limit = settings.GetTileTolerance();
   const double error = totals.ComputeError(image->GetNumberOfPoints());
   const bool isReported = timeLimit > 0.0 || tiles.AboveTolerance >= ReportedTiles ||

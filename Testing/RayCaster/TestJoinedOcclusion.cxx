@@ -152,6 +152,38 @@ TEST(JoinedOcclusion, DoesNotDependOnTheRequestedExtent)
   }
 }
 
+// The tolerance is that of whole tiles, so the worst pixel alone is no reason for a warning.
+TEST(JoinedOcclusion, WorstPixelAloneIsNotReported)
+{
+  const vtkSmartPointer<vtkRenderer> renderer = MakeSpheres(1, 4.0);
+  OcclusionImage image(renderer, 64, 48, 1.0);
+  image.Caster->Update();
+  int worst[2] = { 0, 0 };
+  for (int y = 0; y < 48; ++y)
+  {
+    for (int x = 0; x < 64; ++x)
+    {
+      if (image.Get("EstimatedError", x, y) > image.Get("EstimatedError", worst[0], worst[1]))
+      {
+        worst[0] = x;
+        worst[1] = y;
+      }
+    }
+  }
+  ASSERT_GT(image.Get("EstimatedError", worst[0], worst[1]), 1.5 * LightTolerance);
+  const auto countTiles = [](OcclusionImage& of) {
+    return of.Caster->GetStatistics()->GetArray("Tiles/AboveTolerance")->GetComponent(0, 0);
+  };
+  ASSERT_EQ(countTiles(image), 0.0);
+  OcclusionImage part(renderer, 64, 48, 1.0);
+  int extent[6] = { worst[0], worst[0], worst[1], worst[1], 0, 0 };
+  part.Caster->UpdateInformation();
+  part.Caster->UpdateExtent(extent);
+  EXPECT_EQ(part.Get("EstimatedError", worst[0], worst[1]),
+    image.Get("EstimatedError", worst[0], worst[1]));
+  EXPECT_EQ(countTiles(part), 0.0);
+}
+
 TEST(JoinedOcclusion, DoesNotDependOnThreads)
 {
   const vtkSmartPointer<vtkRenderer> renderer = MakeSpheres(3, 6.0);
