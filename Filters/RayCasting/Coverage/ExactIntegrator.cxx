@@ -322,6 +322,10 @@ std::optional<PixelResult> ExactIntegrator::Integrate()
     }
     if (this->Edges.UncoversHiddenEdge(this->MaximumFaceDepth))
     {
+      if (this->Edges.UncoversHiddenShape(this->MaximumFaceDepth))
+      {
+        return std::nullopt;
+      }
       this->Edges.Load(false);
       this->Edges.AddIntersectionsAgain();
       continue;

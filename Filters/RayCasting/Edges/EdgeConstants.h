@@ -49,8 +49,14 @@ constexpr double LargeTriangleSide = 4.0;
 
 // --- Outlines of spheres, tubes and instances ---
 
-/// Number of spheres, tubes and instances in a tile of 32x32 pixels above which their outlines are not cut,
-/// but the tile is sampled.
+/// Number of spheres, tubes and instances in a tile of 32x32 pixels from which it is sampled if that takes less
+/// time than exact coverage. Those behind the surfaces at the corners of their pixels do not count.
+constexpr std::size_t MinimumOutlinesOfSampledTile = 256;
+/// Number of rays of a pixel that take as long as exact coverage at an outline in it. *Measured* with the million
+/// spheres of `./penumbra benchmark scale`.
+constexpr double RaysPerOutline = 128.0;
+/// Number of them whose outlines are cut at most. If there are more, those behind these surfaces are left out, and if
+/// that does not suffice, the tile is sampled.
 constexpr std::size_t MaximumOutlinesInTile = 4096;
 
 }

@@ -76,13 +76,27 @@ void EdgeSource::SortByTiles(
   }
 }
 
-void EdgeSource::Project(
-  int tile, glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges) const
+std::vector<std::uint32_t> EdgeSource::Select(
+  int tile, const std::function<bool(const ShapeBounds&)>& isHidden) const
 {
+  std::vector<std::uint32_t> shapes;
   for (std::size_t i = 0; i < this->GetCount(tile); ++i)
   {
-    this->ProjectShape(
-      this->ByTile.Get(tile)[i], low - 2.0 * EdgeMargin, high + 2.0 * EdgeMargin, edges);
+    const std::uint32_t shape = this->ByTile.Get(tile)[i];
+    if (!isHidden(this->FindBounds(shape)))
+    {
+      shapes.push_back(shape);
+    }
+  }
+  return shapes;
+}
+
+void EdgeSource::Project(const std::vector<std::uint32_t>& shapes, glm::dvec2 low, glm::dvec2 high,
+  std::vector<ProjectedEdge>& edges) const
+{
+  for (const std::uint32_t shape : shapes)
+  {
+    this->ProjectShape(shape, low - 2.0 * EdgeMargin, high + 2.0 * EdgeMargin, edges);
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace penumbra
@@ -20,6 +21,7 @@ struct ShapeBounds
 {
   bool IsVisible = true;
   bool IsKnown = false; ///< false if the shape reaches the camera plane
+  double Depth = 0.0;   ///< of the nearest point, or less
   glm::dvec2 Low{ 0.0 };
   glm::dvec2 High{ 0.0 };
 };
@@ -35,9 +37,13 @@ public:
     return this->ByTile.GetNumberOfBins() == 0 ? 0 : this->ByTile.GetCount(tile);
   }
 
-  /// Appends the edges of the shapes in a tile, clipped to the rectangle [low, high] enlarged by
-  /// twice EdgeMargin.
-  void Project(int tile, glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges) const;
+  /// Returns the shapes in a tile, without the large ones and those for which `isHidden` is true.
+  std::vector<std::uint32_t> Select(
+    int tile, const std::function<bool(const ShapeBounds&)>& isHidden) const;
+
+  /// Appends the edges of shapes, clipped to the rectangle [low, high] enlarged by twice EdgeMargin.
+  void Project(const std::vector<std::uint32_t>& shapes, glm::dvec2 low, glm::dvec2 high,
+    std::vector<ProjectedEdge>& edges) const;
 
   /// Appends the edges of large shapes, which are not in the tiles, as ProjectEdges().
   long long ProjectLarge(const ImagePart& part, std::vector<ProjectedEdge>& edges) const;

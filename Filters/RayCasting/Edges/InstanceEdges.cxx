@@ -64,6 +64,7 @@ ShapeBounds InstanceEdges::FindBounds(std::uint32_t instance) const
   }
   const double radius = (1.0 + 1e-6) * instances.Radius * std::sqrt(stretch);
   ShapeBounds bounds;
+  bounds.Depth = camera.Depth(center) - radius;
   bounds.IsVisible = camera.Depth(center) + radius >= camera.Near;
   bounds.IsKnown = bounds.IsVisible && BoundSphere(center, radius, camera, bounds.Low, bounds.High);
   if (!bounds.IsKnown)

@@ -331,10 +331,10 @@ ShapeBounds RoundOutlines::FindBounds(std::uint32_t shape) const
   const Camera& camera = this->OutlinedScene.ViewCamera;
   const RoundShape round = this->OutlinedScene.Surfaces[id.Surface].GetRoundShape(id.Primitive);
   const double radius = std::max(round.RadiusA, round.RadiusB);
-  const double depth =
-    std::max(camera.Depth(glm::dvec3(round.A)), camera.Depth(glm::dvec3(round.B)));
+  const double depths[] = { camera.Depth(glm::dvec3(round.A)), camera.Depth(glm::dvec3(round.B)) };
   ShapeBounds bounds;
-  bounds.IsVisible = !(depth + radius < camera.Near);
+  bounds.Depth = std::min(depths[0], depths[1]) - radius;
+  bounds.IsVisible = !(std::max(depths[0], depths[1]) + radius < camera.Near);
   bounds.IsKnown = bounds.IsVisible && BoundShape(round, camera, bounds.Low, bounds.High);
   return bounds;
 }

@@ -50,19 +50,15 @@ void Apply(const LightField::Change& change, std::size_t index, ImageRegion& reg
 
 }
 
-// The grid includes one more corner on each side, within the image. The error estimate needs the
-// neighbors for second differences of colors.
 RegionRenderer::RegionRenderer(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   const RenderSettings& settings, glm::ivec2 low, glm::ivec2 high)
   : Tracer(tracer),
     Edges(sceneEdges),
     Settings(settings),
     UsesCorners(settings.Integration.Method != CoverageMethods::Uniform),
+    PixelsOfCorners(RegionTiles::FindPixelsOfCorners(tracer.GetScene(), low, high)),
     Ends(!settings.Light ? Schedule{ 0.4, 0.4, 1.0 } : Schedule{ 0.16, 0.28, 0.52 }),
-    Grid(glm::max(low - 1, 0),
-      glm::min(high + 1,
-        glm::ivec2(tracer.GetScene().ViewCamera.Width, tracer.GetScene().ViewCamera.Height)),
-      UsesCorners, tracer.GetShading().HasPenumbrae())
+    Grid(PixelsOfCorners.Low, PixelsOfCorners.High, UsesCorners, tracer.GetShading().HasPenumbrae())
 {
   this->Grid.SetCountedPixels(low, high);
   this->Region.Low = low;

@@ -64,6 +64,7 @@ private:
   const SceneEdges& Edges;
   const RenderSettings Settings;
   const bool UsesCorners;
+  const RegionTiles::Rectangle PixelsOfCorners;
   const Schedule Ends;
   ImageRegion Region; ///< without the light of Field
   CornerGrid Grid;

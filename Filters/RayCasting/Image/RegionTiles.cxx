@@ -3,6 +3,7 @@
 #include "RegionTiles.h"
 
 #include "Pixels/CoverageConstants.h"
+#include "Pixels/PixelErrors.h"
 #include "Samples/TileRefinement.h"
 #include "Scene.h"
 #include "Surface.h"
@@ -73,6 +74,15 @@ int RefineTiles(glm::ivec2 low, glm::ivec2 high, PixelIntegrator& integrator, Im
     }
   }
   return unfinished;
+}
+
+/// Returns the number of outlines of a shape in the pixels of a tile, about the length of its outline there.
+double CountCrossings(const ShapeBounds& bounds, glm::dvec2 low, glm::dvec2 high)
+{
+  const glm::dvec2 size = bounds.IsKnown
+    ? glm::max(glm::min(bounds.High, high) - glm::max(bounds.Low, low), 0.0)
+    : high - low;
+  return 2.0 * (size.x + size.y);
 }
 
 /// Returns a flag for each tile: the samples of its pixels may be rasterized.
@@ -151,6 +161,29 @@ RegionTiles::RegionTiles(const CameraRayTracer& tracer, const CornerGrid& grid,
     scene, this->Cells, SelectRasterizedTiles(scene, settings.Integration, this->EdgesByTile));
 }
 
+// The error estimate needs the neighbors for second differences of colors. Whether a shape is hidden in a
+// tile must not depend on the region.
+RegionTiles::Rectangle RegionTiles::FindPixelsOfCorners(
+  const Scene& scene, glm::ivec2 low, glm::ivec2 high)
+{
+  const glm::ivec2 size(scene.ViewCamera.Width, scene.ViewCamera.Height);
+  std::size_t shapes = 0;
+  for (const Surface& surface : scene.Surfaces)
+  {
+    shapes += surface.IsRound() ? surface.GetNumberOfPrimitives()
+      : surface.Instances       ? surface.Instances->GetCount()
+                                : 0;
+  }
+  Rectangle pixels{ glm::max(low - 1, 0), glm::min(high + 1, size) };
+  if (shapes >= MinimumOutlinesOfSampledTile)
+  {
+    pixels.Low = glm::min(pixels.Low, low / TileSide * TileSide);
+    pixels.High =
+      glm::max(pixels.High, glm::min((high + TileSide - 1) / TileSide * TileSide, size));
+  }
+  return pixels;
+}
+
 glm::ivec2 RegionTiles::GetOrigin(int tile) const
 {
   return (this->First + glm::ivec2(tile % this->Count.x, tile / this->Count.x)) * TileSide;
@@ -183,14 +216,45 @@ void RegionTiles::UseEdges(int tile, const Use& use) const
   const std::vector<std::uint32_t> sorted = this->SortEdges(tile);
   const std::uint32_t* const indices = sorted.data();
   const std::size_t count = sorted.size();
-  const std::size_t shapes = this->Outlines.GetCount(tile) + this->Instances.GetCount(tile);
-  if (shapes == 0)
+  const std::size_t all = this->Outlines.GetCount(tile) + this->Instances.GetCount(tile);
+  if (all == 0)
   {
     use(TileEdges{ this->Edges, indices, count });
     return;
   }
+  const Scene& scene = this->Tracer.GetScene();
+  const glm::ivec2 first = this->GetOrigin(tile);
+  const glm::ivec2 last =
+    glm::min(first + TileSide, glm::ivec2(scene.ViewCamera.Width, scene.ViewCamera.Height));
+  std::optional<HiddenShapes> hidden;
+  if (all >= MinimumOutlinesOfSampledTile)
+  {
+    hidden.emplace(scene, this->Grid, first, last);
+  }
+  double crossings = 0.0;
+  const auto isHidden = [&](const ShapeBounds& bounds) {
+    if (hidden && hidden->Add(bounds))
+    {
+      return true;
+    }
+    crossings += CountCrossings(bounds, glm::dvec2(first), glm::dvec2(last));
+    return false;
+  };
+  std::vector<std::uint32_t> outlines = this->Outlines.Select(tile, isHidden);
+  std::vector<std::uint32_t> instances = this->Instances.Select(tile, isHidden);
+  const double area = static_cast<double>(last.x - first.x) * (last.y - first.y);
+  const bool isSampled = hidden &&
+    RaysPerOutline * crossings >
+      area * ComputeRequiredSamples(this->Settings.Integration.Tolerance);
+  if (hidden && all <= MaximumOutlinesInTile && !isSampled)
+  {
+    hidden.reset();
+    outlines = this->Outlines.Select(tile, isHidden);
+    instances = this->Instances.Select(tile, isHidden);
+  }
+  const std::size_t shapes = outlines.size() + instances.size();
   std::vector<ProjectedEdge> withOutlines;
-  if (shapes > MaximumOutlinesInTile)
+  if (isSampled || shapes > MaximumOutlinesInTile)
   {
     use(TileEdges{ withOutlines, nullptr, 0, true });
     return;
@@ -199,10 +263,11 @@ void RegionTiles::UseEdges(int tile, const Use& use) const
   withOutlines.reserve(count + shapes * EdgesPerOutline);
   std::transform(indices, indices + count, std::back_inserter(withOutlines),
     [&](std::uint32_t i) { return this->Edges[i]; });
-  const glm::dvec2 low(this->GetOrigin(tile));
-  this->Outlines.Project(tile, low, low + static_cast<double>(TileSide), withOutlines);
-  this->Instances.Project(tile, low, low + static_cast<double>(TileSide), withOutlines);
-  use(TileEdges{ withOutlines, nullptr, withOutlines.size() });
+  const glm::dvec2 low(first);
+  const glm::dvec2 high = low + static_cast<double>(TileSide);
+  this->Outlines.Project(outlines, low, high, withOutlines);
+  this->Instances.Project(instances, low, high, withOutlines);
+  use(TileEdges{ withOutlines, nullptr, withOutlines.size(), false, hidden ? &*hidden : nullptr });
 }
 
 int RegionTiles::Render(int tile, ImageRegion& region, Totals& totals) const

@@ -26,6 +26,16 @@ void StorePixel(
 class RegionTiles
 {
 public:
+  /// The pixels [Low, High) of a tile.
+  struct Rectangle
+  {
+    glm::ivec2 Low, High;
+    int GetArea() const { return (this->High.x - this->Low.x) * (this->High.y - this->Low.y); }
+  };
+
+  /// Returns the pixels whose corners the region [low, high) needs.
+  static Rectangle FindPixelsOfCorners(const Scene& scene, glm::ivec2 low, glm::ivec2 high);
+
   /// Projects and bins the edges of the scene for the pixels of `region`. All arguments must outlive
   /// this object. Throws Stopped if `progress`, called with `fraction`, requests a stop.
   RegionTiles(const CameraRayTracer& tracer, const CornerGrid& grid, const SceneEdges& sceneEdges,
@@ -37,12 +47,6 @@ public:
   /// single tile.
   long long GetNumberOfEdges() const { return this->NumberOfEdges; }
 
-  /// The pixels [Low, High) of a tile.
-  struct Rectangle
-  {
-    glm::ivec2 Low, High;
-    int GetArea() const { return (this->High.x - this->Low.x) * (this->High.y - this->Low.y); }
-  };
   Rectangle GetPixels(int tile) const;
 
   /// Counts of a rendered tile.

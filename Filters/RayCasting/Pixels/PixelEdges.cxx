@@ -44,33 +44,11 @@ void PixelEdges::Begin()
   this->IsTubeIntersected = false;
 }
 
-double PixelEdges::MaximumOpaqueDepth(const Sample& sample) const
-{
-  if (!(sample.OpaqueDepth < std::numeric_limits<float>::infinity()))
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  if (sample.OpaqueDepth != sample.FirstHit.Distance)
-  {
-    return sample.OpaqueDepth +
-      this->Pixel.GetScene().ViewCamera.DepthOfRayOrigins(); // behind something translucent
-  }
-  return MaximumDepthInPixel(this->Pixel.GetScene(),
-    { sample.FirstHit.Surface, sample.FirstHit.Primitive }, this->Pixel.GetOrigin());
-}
-
-// Returns the smallest depth that is behind `depth` in spite of rounding.
-double PixelEdges::ComputeDepthBehind(double depth) const
-{
-  return depth +
-    RelativeDepthTolerance *
-    std::abs(depth - this->Pixel.GetScene().ViewCamera.DepthOfRayOrigins());
-}
-
 void PixelEdges::Load(bool cull)
 {
   this->Segments.clear();
-  this->NearestCulledDepth = std::numeric_limits<double>::infinity();
+  this->NearestHiddenShape = this->Tile.GetHiddenDepth(this->Pixel.Position);
+  this->NearestCulledDepth = this->NearestHiddenShape;
 
   // An edge behind the opaque surfaces at all four corners is hidden, unless an edge in front of it
   // uncovers it. The exact integrator therefore loads the segments again without culling when a face is

@@ -43,13 +43,22 @@ public:
   {
     return this->ComputeDepthBehind(depth) >= this->NearestCulledDepth;
   }
+  /// Returns true if such an edge may be one that cannot be loaded.
+  bool UncoversHiddenShape(double depth) const
+  {
+    return this->NearestHiddenShape < std::numeric_limits<double>::infinity() &&
+      this->ComputeDepthBehind(depth) >= this->NearestHiddenShape;
+  }
   bool HasHiddenEdges() const
   {
     return this->NearestCulledDepth < std::numeric_limits<double>::infinity();
   }
 
   /// Returns the maximum depth in this pixel of the opaque surface that a sample hit.
-  double MaximumOpaqueDepth(const Sample& sample) const;
+  double MaximumOpaqueDepth(const Sample& sample) const
+  {
+    return penumbra::MaximumOpaqueDepth(this->Pixel.GetScene(), sample, this->Pixel.GetOrigin());
+  }
 
   /// Adds what a sample hit to the primitives whose intersections are edges.
   void AddPrimitive(const Hit& hit);
@@ -79,7 +88,10 @@ public:
   bool SearchesAllPixels = false;
 
 private:
-  double ComputeDepthBehind(double depth) const;
+  double ComputeDepthBehind(double depth) const
+  {
+    return penumbra::ComputeDepthBehind(depth, this->Pixel.GetScene().ViewCamera);
+  }
   void AddPrimitive(PrimitiveId id);
   void AddHiddenShape(const ProjectedEdge& edge, double depth, double limit);
 
@@ -87,6 +99,7 @@ private:
   const TileGeometry& Tile;
   EdgeList List;
   double NearestCulledDepth = 0.0;
+  double NearestHiddenShape = 0.0;
   std::vector<PrimitiveId> VisiblePrimitives; ///< hit by samples
   std::size_t PairsTested = 0;                ///< number of primitives whose pairs were intersected
 };

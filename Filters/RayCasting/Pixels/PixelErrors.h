@@ -22,11 +22,17 @@ inline double ComputeToleranceScale(double area)
 }
 
 /// Returns the number of low-discrepancy samples that reduce the error of a pixel with straight
-/// edges of any contrast to `tolerance`: a power of two in [64, MaximumSamples]. It bounds the cost
-/// of exact coverage.
+/// edges of any contrast to `tolerance`.
+inline double ComputeRequiredSamples(double tolerance)
+{
+  return std::pow(0.5 / std::max(tolerance, 1e-6), 4.0 / 3.0);
+}
+
+/// Returns ComputeRequiredSamples() as a power of two in [64, MaximumSamples]. It bounds the cost of exact
+/// coverage.
 inline int ComputeMaximumSamples(double tolerance)
 {
-  const double required = std::pow(0.5 / std::max(tolerance, 1e-6), 4.0 / 3.0);
+  const double required = ComputeRequiredSamples(tolerance);
   int samples = 64;
   while (samples < required && samples < MaximumSamples)
   {
@@ -41,7 +47,7 @@ inline int ComputeFirstRasterizedSamples(double tolerance)
   return std::clamp(ComputeMaximumSamples(tolerance) / 4, 64, MaximumFirstRasterizedSamples);
 }
 
-/// Returns the maximum number of samples of a tile, per pixel.
+/// Returns the maximum number of samples of a tile, per pixel, if exact coverage takes less time in most pixels.
 inline double ComputeSampleBudget(double tolerance)
 {
   return std::max(SampleBudgetFraction * ComputeMaximumSamples(tolerance), MinimumSampleBudget);

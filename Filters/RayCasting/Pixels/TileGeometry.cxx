@@ -15,6 +15,7 @@ TileGeometry::TileGeometry(const TileEdges& edges, glm::ivec2 origin, int side,
   : Edges(edges.All),
     Rasterizer(rasterizer),
     AreEdgesLeftOut(edges.AreLeftOut),
+    Hidden(edges.Hidden),
     Origin(origin),
     Side(side),
     Flags(flags)

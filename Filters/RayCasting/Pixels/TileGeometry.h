@@ -7,10 +7,12 @@
 #define penumbra_TileGeometry_h
 
 #include "Edges/Silhouettes.h"
+#include "HiddenShapes.h"
 #include "Rasterization/TileRasterizer.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace penumbra
@@ -30,7 +32,8 @@ struct TileEdges
   const std::vector<ProjectedEdge>& All;
   const std::uint32_t* Indices; ///< null: the first `Count` edges
   std::size_t Count;
-  bool AreLeftOut = false; ///< they are too many, and `Count` is 0
+  bool AreLeftOut = false;              ///< they are too many, and `Count` is 0
+  const HiddenShapes* Hidden = nullptr; ///< whose edges are left out; null: none
 };
 
 /// Indices of the edges that cross a pixel.
@@ -56,6 +59,14 @@ public:
     return { this->Lists.Get(cell), this->Lists.GetCount(cell) };
   }
 
+  /// Returns the depth of the nearest shape that covers a pixel and whose edges are left out because it is
+  /// behind the corners.
+  double GetHiddenDepth(glm::ivec2 pixel) const
+  {
+    return this->Hidden ? this->Hidden->GetNearestDepth(pixel)
+                        : std::numeric_limits<double>::infinity();
+  }
+
   /// Returns true if a surface is dense, see SurfaceFlags.
   bool IsDense(const Hit& hit) const
   {
@@ -72,6 +83,7 @@ public:
   bool RasterizesAll; ///< many pixels have edges, so that also pixels without layers are rasterized
 
 private:
+  const HiddenShapes* const Hidden;
   const glm::ivec2 Origin;
   const int Side;
   const SurfaceFlags& Flags;

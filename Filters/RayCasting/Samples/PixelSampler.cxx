@@ -66,7 +66,8 @@ glm::dvec4 ComputeMeanOfSamples(const SampledPixel& pixel)
 PixelSampler::PixelSampler(PixelContext& pixel, PixelEdges& edges, const TileGeometry& tile)
   : Pixel(pixel),
     Edges(edges),
-    Rasterizer(tile.Rasterizer)
+    Rasterizer(tile.Rasterizer),
+    IsExactCostly(tile.AreEdgesLeftOut)
 {
   if (this->Rasterizer)
   {

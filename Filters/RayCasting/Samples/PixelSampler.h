@@ -8,6 +8,7 @@
 
 #include "LayerSampler.h"
 #include "Pixels/PixelEdges.h"
+#include "Pixels/PixelErrors.h"
 #include "RasterizedSampler.h"
 #include "SampledPixel.h"
 
@@ -35,6 +36,13 @@ public:
   /// Doubles the number of samples of a pixel; the first MinimumSamples are traced at once.
   void Refine(SampledPixel& pixel);
 
+  /// Returns the maximum number of samples of a tile, per pixel.
+  double GetSampleBudget() const
+  {
+    const double tolerance = this->Pixel.Settings.Tolerance;
+    return this->IsExactCostly ? ComputeMaximumSamples(tolerance) : ComputeSampleBudget(tolerance);
+  }
+
   std::vector<SampledPixel>& GetPixels() { return this->Sampled; }
   const IntegrationSettings& GetSettings() const { return this->Pixel.Settings; }
 
@@ -47,6 +55,7 @@ private:
   PixelContext& Pixel;
   PixelEdges& Edges;
   TileRasterizer* const Rasterizer;
+  const bool IsExactCostly; ///< so that all pixels of the tile are sampled
   std::optional<RasterizedSampler> Rasterized;
   std::optional<LayerSampler> Layers;
   PixelArrangement Arrangement;

@@ -91,7 +91,7 @@ bool RefineTile(
   const int maximumSamples =
     std::min(SampleBudgetFactor * ComputeMaximumSamples(settings.Tolerance), MaximumSamples);
   // A few pixels may use the budget of the whole tile, even at the edge of the image.
-  double budget = ComputeSampleBudget(settings.Tolerance) * PixelsPerTile;
+  double budget = sampler.GetSampleBudget() * PixelsPerTile;
   std::vector<Candidate> candidates;
   bool isEnded = false;
   for (;;)

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace penumbra_testing;
 
@@ -35,6 +36,36 @@ vtkSmartPointer<vtkPolyData> MakeFloor()
   plane->SetPoints(corners);
   plane->SetPolys(cells);
   return plane;
+}
+
+/// Returns the centers of random spheres in a box between the depths `near` and `near` + 4.
+std::vector<glm::dvec3> MakeRandomCenters(int count, double near)
+{
+  std::mt19937 random(1);
+  const auto next = [&] { return random() / 4294967296.0; };
+  std::vector<glm::dvec3> centers;
+  for (int i = 0; i < count; ++i)
+  {
+    const double x = 2.0 * next() - 1.0;
+    const double y = 2.0 * next() - 1.0;
+    centers.emplace_back(x, y, -near - 4.0 * next());
+  }
+  return centers;
+}
+
+/// Returns the RMSE of each tile of 16x16 pixels of an image of 64x64.
+std::vector<double> CompareTiles(const std::vector<double>& a, const std::vector<double>& b)
+{
+  std::vector<double> errors(16, 0.0);
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    errors[i / 1024 * 4 + i % 64 / 16] += (a[i] - b[i]) * (a[i] - b[i]) / 256.0;
+  }
+  for (double& error : errors)
+  {
+    error = std::sqrt(error);
+  }
+  return errors;
 }
 
 }
@@ -278,4 +309,62 @@ TEST(RoundShapes, AreSampledWhereTubesIntersectASurface)
     }
     EXPECT_LE(std::sqrt(squares), std::max(1.5 / 256.0, std::sqrt(estimated))) << tile;
   }
+}
+
+TEST(RoundShapes, AreWithinTheToleranceIfOutlinesAreTooManyToCut)
+{
+  RoundScene scene(MakeCells(MakeRandomCenters(60000, 5.0), {}), true);
+  scene.Caster->SetResolution(64, 64);
+  scene.Caster->SetPointRadius(0.03);
+  scene.Caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+  scene.Caster->GetConstants().UniformSamples = 32;
+  const std::vector<double> reference = scene.RenderRed();
+  scene.Caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Silhouettes;
+  for (const double tolerance : { 0.05, 0.01 })
+  {
+    scene.Caster->SetTolerance(tolerance);
+    for (const double error : CompareTiles(scene.RenderRed(), reference))
+    {
+      EXPECT_LT(error, tolerance);
+    }
+    EXPECT_GT(scene.Statistic("Pixels/Uniform"), 2000.0);
+    EXPECT_EQ(scene.Statistic("Tiles/AboveTolerance"), 0.0);
+  }
+}
+
+TEST(RoundShapes, GiveTheSameBitsForPartsOfTilesWithManyOutlines)
+{
+  for (const int count : { 3000, 60000 })
+  {
+    RoundScene scene(MakeCells(MakeRandomCenters(count, 5.0), {}), true);
+    scene.Caster->SetResolution(64, 64);
+    scene.Caster->SetPointRadius(0.03);
+    const std::vector<double> whole = scene.RenderRed();
+    const int part[6] = { 11, 37, 20, 44, 0, 0 };
+    scene.Caster->UpdateExtent(part);
+    vtkImageData* image = scene.Caster->GetOutput();
+    vtkDataArray* colors = image->GetPointData()->GetArray("Color");
+    for (int y = part[2]; y <= part[3]; ++y)
+    {
+      for (int x = part[0]; x <= part[1]; ++x)
+      {
+        int at[3] = { x, y, 0 };
+        const vtkIdType id = image->ComputePointId(at);
+        ASSERT_EQ(colors->GetComponent(id, 0) * colors->GetComponent(id, 3), whole[y * 64 + x]);
+      }
+    }
+  }
+}
+
+TEST(RoundShapes, TakeNoSamplesIfManyAreHidden)
+{
+  RoundScene scene(MakeCells(FiveCenters, {}), true);
+  scene.Add(MakeFloor(), true)->SetPosition(0.0, 0.0, -8.0);
+  scene.Caster->SetResolution(64, 64);
+  scene.Caster->SetPointRadius(0.3);
+  const std::vector<double> alone = scene.RenderRed();
+  const double rays = scene.Statistic("Rays/Total");
+  scene.Add(MakeCells(MakeRandomCenters(20000, 9.0), {}), true);
+  EXPECT_EQ(scene.RenderRed(), alone);
+  EXPECT_EQ(scene.Statistic("Rays/Total"), rays);
 }
