@@ -15,6 +15,7 @@
 #include "Vector/PolygonRows.h"
 #include "Vector/SvgEncoder.h"
 #include "Vector/VectorFaces.h"
+#include "Vector/VisibleStrokes.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"

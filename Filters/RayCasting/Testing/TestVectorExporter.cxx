@@ -147,7 +147,7 @@ TEST_F(VectorExporter, EqualsTheRayCastImageWithMeshEdgesAndPoints)
   actor->GetProperty()->SetPointSize(4.0);
   for (const char* format : { "svg", "pdf" })
   {
-    // Edges that are hidden to half their width at silhouettes differ.
+    // Pixels that hold several edges and points blend them in turn.
     const auto figure = Rasterize(this->Exporter, this->Folder, format);
     EXPECT_LE(ComputeError(figure, this->Caster), 3.0 * Precision) << format;
   }
@@ -211,7 +211,7 @@ TEST_F(VectorExporter, WritesLengthsInPoints)
   this->AddLine(-5.0, 0.0, 0.0, 8.0, 0.0, 0.0, 1.0);
   const std::string svg = this->Exporter->Encode(vtkPenumbraVectorExporter::SVG);
   EXPECT_NE(svg.find("width=\"48pt\" height=\"36pt\" viewBox=\"0 0 200 150\""), std::string::npos);
-  EXPECT_NE(svg.find("stroke-width=\"416.667\""), std::string::npos) << svg; // 300 / 72 pixels
+  EXPECT_NE(svg.find("stroke-width=\"416.7\""), std::string::npos) << svg; // 300 / 72 pixels
   const std::string pdf = this->Exporter->Encode(vtkPenumbraVectorExporter::PDF);
   EXPECT_NE(pdf.find("/MediaBox [0 0 48 36]"), std::string::npos);
 }

@@ -10,6 +10,7 @@
 #include "vtkCamera.h"
 #include "vtkFieldData.h"
 #include "vtkLight.h"
+#include "vtkLineSource.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -242,6 +243,50 @@ TEST_F(VectorFaces, MayBePointsThatHideThoseBehindThemPartly)
     }
     EXPECT_EQ(this->GetStatistic("Vector/Images"), 0.0);
   }
+}
+
+// A square hides a line of 12 pixels from 2 pixels above its axis on, over half of its length.
+TEST_F(VectorFaces, CutTheWidthOfLines)
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(11.0); // 10 pixels per unit
+  camera->SetPosition(0.0, 0.0, 50.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  this->Renderer->SetBackground(0.0, 0.0, 0.0);
+  vtkNew<vtkLineSource> line;
+  line->SetPoint1(-8.0, 0.02, 0.0);
+  line->SetPoint2(8.0, 0.02, 0.0);
+  vtkSmartPointer<vtkActor> red = this->Add(line);
+  red->GetProperty()->SetColor(1.0, 0.0, 0.0);
+  red->GetProperty()->LightingOff();
+  red->GetProperty()->SetLineWidth(12.0);
+  vtkSmartPointer<vtkActor> square = this->AddSquare(0.0, 0.0);
+  square->GetProperty()->SetColor(0.0, 0.0, 0.0);
+  square->SetScale(10.0);
+  square->SetPosition(5.0, 5.22, 5.0);
+  for (const char* format : { "svg", "pdf" })
+  {
+    const auto figure = Rasterize(this->Exporter, this->Folder, format);
+    double area = 0.0; // pixels
+    for (int i = 0; i < 300 * 220; ++i)
+    {
+      area += figure->GetScalarComponentAsDouble(i % 300, i / 300, 0, 0) / 255.0;
+    }
+    EXPECT_NEAR(area, 80.0 * 12.0 + 80.0 * 8.0, 2.0) << format;
+  }
+  EXPECT_GT(this->GetStatistic("Vector/Lines"), 0.0);
+}
+
+TEST_F(VectorFaces, HaveLinesOfOneWidthAndColorInOneElement)
+{
+  vtkSmartPointer<vtkActor> sphere = this->AddSphere(0.0, 0.0, 0.0, 2.0, 16);
+  sphere->GetProperty()->SetRepresentationToWireframe();
+  sphere->GetProperty()->LightingOff();
+  const std::string svg = this->Exporter->Encode(vtkPenumbraVectorExporter::SVG);
+  const std::size_t first = svg.find("stroke-width");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(svg.find("stroke-width", first + 1), std::string::npos);
 }
 
 TEST_F(VectorFaces, AreReplacedByAnImageIfTheyCannotShowTheScene)

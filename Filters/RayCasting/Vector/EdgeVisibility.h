@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Visible parts of lines and edges. Rays at most half a pixel apart test the visibility, and
+// Visible parts of edges. Rays at most half a pixel apart test the visibility, and
 // bisection finds the points where it changes.
 #ifndef penumbra_EdgeVisibility_h
 #define penumbra_EdgeVisibility_h
@@ -21,14 +21,6 @@ namespace penumbra
 /// Intervals shorter than half a pixel may be missed.
 std::vector<std::pair<double, double>> FindVisibleIntervals(
   double length, const std::function<bool(double)>& isVisible);
-
-/// Returns true if AddVisibleLines() draws a surface: opaque or translucent lines and points that are
-/// not round, without textures, splats, and wireframes with hidden lines.
-bool HasStrokes(const Surface& surface);
-
-/// Appends the visible parts of the lines and points of the scene, back to front. `tracer` traces
-/// the scene with its lines and points. Lines are strokes along their axis, as wide as they are.
-void AddVisibleLines(const CameraRayTracer& tracer, std::vector<FigurePath>& paths);
 
 /// Appends the visible parts of silhouettes, boundaries and creases, and of the outlines of spheres
 /// and tubes as polylines, with the width and color of `pen`. `edges`: the edges of each surface.

@@ -199,7 +199,8 @@ public:
     }
   }
 
-  void AddPath(const FigurePath& path)
+  /// @param next The path that follows, or null. It is painted with this one if both have the same style.
+  void AddPath(const FigurePath& path, const FigurePath* next)
   {
     if (path.HasGradient)
     {
@@ -216,7 +217,9 @@ public:
     }
     this->Last = &path;
     this->AddCommands(path);
-    this->Commands += stroke ? "S\n" : "f\n";
+    // Translucent paths that are painted as one would not be drawn over each other.
+    const bool continues = next && path.Color.a == 1.f && path.HasStyleOf(*next);
+    this->Commands += continues ? "" : stroke ? "S\n" : "f\n";
   }
 
   void AddText(const OverlayShape& text)
@@ -332,9 +335,9 @@ void AddPaths(const std::vector<FigurePath>& paths, PageContents& page)
 {
   const std::string unit = ToText(1.0 / UnitsPerPixel);
   page.Begin(unit + " 0 0 " + unit + " 0 0");
-  for (const FigurePath& path : paths)
+  for (std::size_t i = 0; i < paths.size(); ++i)
   {
-    page.AddPath(path);
+    page.AddPath(paths[i], i + 1 < paths.size() ? &paths[i + 1] : nullptr);
   }
   page.End();
 }

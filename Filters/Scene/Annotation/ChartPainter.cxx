@@ -235,13 +235,13 @@ public:
     }
   }
 
+  /// The bounds are those of the window, so that images of all sizes have its layout.
   void ComputeStringBounds(const vtkStdString& text, float bounds[4]) override
   {
     std::fill_n(bounds, 4, 0.f);
     int box[4];
     vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
-    if (!text.empty() && renderer &&
-      renderer->GetBoundingBox(this->TextProp, text, box, this->FindDPI()))
+    if (!text.empty() && renderer && renderer->GetBoundingBox(this->TextProp, text, box, 72))
     {
       const glm::dvec2 unit = this->FindUnit();
       bounds[0] = static_cast<float>(box[0] / unit.x);
@@ -342,12 +342,11 @@ private:
     return static_cast<int>(std::lround(72.0 * this->Scale));
   }
 
-  /// Returns the pixels per unit along both axes.
+  /// Returns the pixels of the window per unit along both axes.
   glm::dvec2 FindUnit() const
   {
-    const glm::dvec2 unit =
-      this->Scale * glm::dvec2(this->Matrix->GetElement(0, 0), this->Matrix->GetElement(1, 1));
-    return { unit.x == 0.0 ? this->Scale : unit.x, unit.y == 0.0 ? this->Scale : unit.y };
+    const glm::dvec2 unit(this->Matrix->GetElement(0, 0), this->Matrix->GetElement(1, 1));
+    return { unit.x == 0.0 ? 1.0 : unit.x, unit.y == 0.0 ? 1.0 : unit.y };
   }
 
   /// VTK's projection moves the scene by half a pixel and moves the last pixel to the end of the viewport.
