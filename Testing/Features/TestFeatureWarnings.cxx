@@ -5,11 +5,15 @@
 // which names the prop and a remedy.
 #include "WarningScenes.h"
 
+#include "vtkActor.h"
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSelection.h"
+#include "vtkSphereSource.h"
 
 #include <gtest/gtest.h>
 
@@ -76,6 +80,20 @@ INSTANTIATE_TEST_SUITE_P(Features, WarningRows,
   [](const testing::TestParamInfo<std::size_t>& row) {
     return std::to_string(static_cast<int>(MakeWarningScenes()[row.param].Key));
   });
+
+TEST(WarningScenes, DoNotWarnOfEmptySelections)
+{
+  const WarningScene scene = { Feature::Selection, "", [](vtkRenderer* renderer) {
+                                vtkNew<vtkSphereSource> sphere;
+                                vtkNew<vtkPolyDataMapper> mapper;
+                                mapper->SetInputConnection(sphere->GetOutputPort());
+                                mapper->SetSelection(vtkNew<vtkSelection>());
+                                vtkNew<vtkActor> actor;
+                                actor->SetMapper(mapper);
+                                renderer->AddActor(actor);
+                              } };
+  EXPECT_TRUE(CollectWarnings(scene).empty());
+}
 
 TEST(WarningScenes, CoverExactlyTheRowsThatAreNotDrawn)
 {

@@ -30,6 +30,7 @@
 #include "vtkRenderer.h"
 #include "vtkSelectVisiblePoints.h"
 #include "vtkSelection.h"
+#include "vtkSelectionNode.h"
 #include "vtkShaderProperty.h"
 #include "vtkSkybox.h"
 #include "vtkTexture.h"
@@ -128,8 +129,11 @@ void AddActorScenes(std::vector<WarningScene>& scenes)
   add(Feature::CustomShaders, [](vtkActor* actor) {
     actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, "", false);
   });
-  add(Feature::Selection,
-    [](vtkActor* actor) { actor->GetMapper()->SetSelection(vtkNew<vtkSelection>()); });
+  add(Feature::Selection, [](vtkActor* actor) {
+    vtkNew<vtkSelection> selection;
+    selection->AddNode(vtkNew<vtkSelectionNode>());
+    actor->GetMapper()->SetSelection(selection);
+  });
   add(
     Feature::DerivedMappers,
     [](vtkActor* actor) {

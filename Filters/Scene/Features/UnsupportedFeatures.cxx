@@ -10,6 +10,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderer.h"
+#include "vtkSelection.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
 #include "vtkVersionMacros.h"
@@ -104,7 +105,9 @@ void WarnUnsupportedActor(
       "coordinate system to WORLD.");
   }
 #endif
-  warn(mapper->GetSelection() != nullptr, Feature::Selection);
+  // ParaView sets an empty selection if nothing is selected.
+  const vtkSelection* const selection = mapper->GetSelection();
+  warn(selection && selection->GetNumberOfNodes() > 0, Feature::Selection);
   if (!IsKnownMapper(mapper))
   {
     WarnFeature(Feature::DerivedMappers, name + " (" + mapper->GetClassName() + ")", warnings);
