@@ -35,8 +35,9 @@ struct OcclusionConstants
   /// Convergence up to which pixels take FirstSamples in motion, c_adaptive in [TSSAO].
   double AdaptiveConvergence = 0.2;
 
-  /// Convergence from which pixels are not filtered, c_spatial in [TSSAO].
-  double SpatialConvergence = 0.3;
+  /// Convergence from which pixels are not filtered, c_spatial in [TSSAO], which has 0.3. Measured by
+  /// OcclusionInMotion: at 0.3, pixels that have just left the filter are the noisiest of the image.
+  double SpatialConvergence = 0.5;
 
   /// Convergence up to which samples differ from pixel to pixel, c_rot in [TSSAO].
   double RotationConvergence = 0.5;

@@ -92,6 +92,24 @@ vec2 sampleHistory(vec3 position, vec3 normal)
   return isInside(at, previousPixelSize) ? sum / weights : vec2(0.0);
 }
 
+// Returns the number of pixels per area of a surface, times the size of a pixel on the plane at depth
+// 1; negative if the surface faces away.
+float pixelDensity(vec3 position, vec3 normal)
+{
+  float depth = mix(1.0, -position.z, perspective);
+  vec3 toEye = mix(vec3(0.0, 0.0, 1.0), -position, perspective);
+  return dot(normal, toEye) / (depth * depth * depth);
+}
+
+// Returns the number of texels of the history per pixel of this frame on the surface of a point.
+float historyTexelsPerPixel(SurfacePoint point, vec3 before, vec3 normalBefore)
+{
+  float sizeRatio =
+    (pixelToEye.x * pixelToEye.y) / (previousPixelToEye.x * previousPixelToEye.y);
+  return sizeRatio * pixelDensity(before, normalBefore) /
+    max(pixelDensity(point.position, point.normal), 1e-9);
+}
+
 //VTK::Penumbra::ActorMotionLib
 //VTK::Penumbra::SampleValidationLib
 
@@ -100,8 +118,11 @@ void main()
   SurfacePoint point = surfaceAt(gl_FragCoord.xy);
   mat4 motion = actorMotion(actorAt(point.pixel));
   vec3 before = (motion * vec4(point.position, 1.0)).xyz;
-  vec2 reprojected = sampleHistory(before, mat3(motion) * point.normal);
+  vec3 normalBefore = mat3(motion) * point.normal;
+  vec2 reprojected = sampleHistory(before, normalBefore);
   float weight = min(reprojected.g, weightCap);
+  // Pixels share the samples of a texel that covers several of them.
+  weight *= clamp(historyTexelsPerPixel(point, before, normalBefore), 0.0, 1.0);
   weight = min(weight, historyWeightLimit(point, before));
   // Samples are spent where history is short: at disoccluded pixels and next to moved surfaces.
   int historyLength = weight < settledHistoryWeight ? growingHistory : settledHistory;
