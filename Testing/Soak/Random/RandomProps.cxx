@@ -171,6 +171,8 @@ RandomProp MakeMeshActor(Random& random, bool difficult, glm::dvec3 center, doub
     back->SetColor(color.r, color.g, color.b);
     actor->SetBackfaceProperty(back);
     Append(prop.Description, "backface property");
+    // VTK does not draw these back faces.
+    prop.Arbitrary = prop.Arbitrary || property->GetInterpolation() == VTK_PBR;
   }
   const bool sheared = random.Chance(0.2);
   SetTransform(random, actor, center, unit, sheared);
