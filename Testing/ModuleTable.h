@@ -137,10 +137,12 @@ inline const std::vector<Row> Table = {
       "Filters/Irradiance/Records", "Filters/Irradiance/Baking" },
     { "GLM" } },
 
+  { "Filters/Parallel/Shadows", { "Filters/Scene" }, { "GLM" } },
   { "Filters/Parallel",
-    { "Filters/Statistics", "Filters/Scene", "Filters/Scene/Geometry", "Filters/RayTracing/Embree",
-      "Filters/RayCasting/Tiles", "Filters/RayCasting/Edges", "Filters/RayCasting/Image",
-      "Filters/RayCasting/Distribution", "Filters/RayCasting", "Filters/Irradiance" },
+    { "Filters/Parallel/Shadows", "Filters/Statistics", "Filters/Scene", "Filters/Scene/Geometry",
+      "Filters/RayTracing/Embree", "Filters/RayCasting/Tiles", "Filters/RayCasting/Edges",
+      "Filters/RayCasting/Image", "Filters/RayCasting/Distribution", "Filters/RayCasting",
+      "Filters/Irradiance" },
     { "GLM" } },
 
   { "Rendering/ScreenSpace/Frame", {}, { "OpenGL" } },

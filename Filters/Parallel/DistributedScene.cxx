@@ -7,6 +7,7 @@
 #include "ImageMessage.h"
 #include "Scene.h"
 #include "SceneUnion.h"
+#include "Shadows/CellMarks.h"
 #include "SurfaceAppearance.h"
 #include "SurfacePart.h"
 #include "UnitTiles.h"
@@ -14,6 +15,7 @@
 #include "vtkImageData.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -115,6 +117,67 @@ void GetTextures(ByteReader& bytes, TextureMap& textures)
   {
     const auto hash = bytes.Get<std::uint64_t>();
     textures[hash] = GetTexture(bytes);
+  }
+}
+
+/// Adds the units of surfaces that may cast shadows on what the ranks see, as `selected` says.
+void AddCastersOfShadows(const Scene& scene, const AxisAlignedBox& bounds, RankGroup& ranks,
+  std::vector<std::vector<Units>>& selected)
+{
+  const auto count = static_cast<std::size_t>(ranks.GetCount());
+  std::vector<CellMarks> marks(count, CellMarks(bounds));
+  for (std::size_t i = 0; i < selected.size(); ++i)
+  {
+    for (std::size_t rank = 0; rank < count; ++rank)
+    {
+      for (const std::uint32_t unit : selected[i][rank])
+      {
+        marks[rank].Mark(GetUnitBox(scene.Surfaces[i], unit));
+      }
+    }
+  }
+  CellMarks seen(bounds);
+  for (const std::string& bits : ranks.Exchange([&](int rank) { return marks[rank].Write(); }))
+  {
+    seen.Add(bits);
+  }
+  CellMarks needed(bounds);
+  for (const Light& light : scene.Lights)
+  {
+    if (light.CastsShadow)
+    {
+      needed.MarkToward(light, seen);
+    }
+  }
+  marks.assign(count, CellMarks(bounds));
+  const std::vector<std::string> bits = ranks.AllGather(needed.Write());
+  for (std::size_t rank = 0; rank < count; ++rank)
+  {
+    marks[rank].Add(bits[rank]);
+  }
+  for (std::size_t i = 0; i < selected.size(); ++i)
+  {
+    const Surface& surface = scene.Surfaces[i];
+    std::vector<Units> casters(count);
+    const std::size_t units = surface.IsLineOrPoint ? 0 : CountUnits(surface);
+    for (std::uint32_t unit = 0; unit < units; ++unit)
+    {
+      const AxisAlignedBox box = GetUnitBox(surface, unit);
+      for (std::size_t rank = 0; rank < count; ++rank)
+      {
+        if (marks[rank].Meet(box))
+        {
+          casters[rank].push_back(unit);
+        }
+      }
+    }
+    for (std::size_t rank = 0; rank < count; ++rank)
+    {
+      Units both;
+      std::set_union(casters[rank].begin(), casters[rank].end(), selected[i][rank].begin(),
+        selected[i][rank].end(), std::back_inserter(both));
+      selected[i][rank] = std::move(both);
+    }
   }
 }
 
@@ -221,38 +284,56 @@ void DistributedScene::UniteExtent(double bounds[6], double& radius)
   }
 }
 
-void DistributedScene::Exchange(Scene& scene, bool needsAll)
+std::vector<std::vector<Units>> DistributedScene::Select(const Scene& scene,
+  const ImageDivision& division, LightRays lightRays, const AxisAlignedBox& bounds)
+{
+  const int ranks = this->Ranks.GetCount();
+  std::vector<std::vector<Units>> selected;
+  for (const Surface& surface : scene.Surfaces)
+  {
+    if (lightRays == LightRays::All)
+    {
+      Units all(CountUnits(surface));
+      std::iota(all.begin(), all.end(), 0u);
+      selected.emplace_back(static_cast<std::size_t>(ranks), all);
+    }
+    else
+    {
+      selected.push_back(SelectSeenUnits(surface, scene.ViewCamera, division, ranks));
+    }
+  }
+  if (lightRays == LightRays::ToLights && !bounds.IsEmpty())
+  {
+    AddCastersOfShadows(scene, bounds, this->Ranks, selected);
+  }
+  return selected;
+}
+
+void DistributedScene::Exchange(Scene& scene, LightRays lightRays)
 {
   const std::vector<UnitedSurface> united = UniteSurfaces(scene, this->Ranks);
   const std::vector<std::uint32_t> unitedOf = FindUnited(united, scene.Surfaces.size());
+  AxisAlignedBox bounds;
   for (const UnitedSurface& surface : united)
   {
     this->Counts.WholePrimitives += static_cast<long long>(surface.Count);
+    bounds.Add(surface.Whole->DrawnBounds);
   }
+  const bool needsAll = lightRays == LightRays::All;
   const ImageDivision division = DivideImage(scene, needsAll, this->Ranks);
   this->Regions = division.GetRegions(this->Ranks.GetRank());
+  std::vector<std::vector<Units>> selected = this->Select(scene, division, lightRays, bounds);
   long long bytes = 0;
   SurfaceMessages messages(this->Ranks.GetCount());
   for (std::size_t i = 0; i < scene.Surfaces.size(); ++i)
   {
-    const Surface& surface = scene.Surfaces[i];
-    bytes += static_cast<long long>(CountBytes(surface));
-    std::vector<Units> units;
-    if (needsAll)
+    bytes += static_cast<long long>(CountBytes(scene.Surfaces[i]));
+    for (std::size_t rank = 0; rank < selected[i].size(); ++rank)
     {
-      Units all(CountUnits(surface));
-      std::iota(all.begin(), all.end(), 0u);
-      units.assign(static_cast<std::size_t>(this->Ranks.GetCount()), all);
-    }
-    else
-    {
-      units = SelectSeenUnits(surface, scene.ViewCamera, division, this->Ranks.GetCount());
-    }
-    for (std::size_t rank = 0; rank < units.size(); ++rank)
-    {
-      messages.Add(unitedOf[i], surface, rank, units[rank]);
+      messages.Add(unitedOf[i], scene.Surfaces[i], rank, selected[i][rank]);
     }
     scene.Surfaces[i] = Surface(); // frees the memory
+    selected[i] = std::vector<Units>();
   }
   const long long before = this->Ranks.GetReceivedBytes();
   std::vector<std::string> received =
@@ -263,7 +344,7 @@ void DistributedScene::Exchange(Scene& scene, bool needsAll)
   if (needsAll && this->IsFirst() && this->Ranks.GetCount() > 1)
   {
     this->Warn(
-      "Shadows, ambient occlusion, indirect light and media need the surfaces of all ranks on "
+      "Soft shadows, ambient occlusion, indirect light and media need the surfaces of all ranks on "
       "each rank, which received " +
       std::to_string(this->Counts.SceneBytes) + " bytes of them.");
   }

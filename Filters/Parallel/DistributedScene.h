@@ -8,12 +8,16 @@
 #include "Distribution/SceneDistribution.h"
 #include "RankGroup.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace penumbra
 {
+
+class ImageDivision;
+struct AxisAlignedBox;
 
 /// What the ranks have exchanged for an image.
 struct ExchangeCounts
@@ -35,7 +39,7 @@ public:
 
   void Compare(const SettingList& settings) override;
   void UniteExtent(double bounds[6], double& radius) override;
-  void Exchange(Scene& scene, bool needsAll) override;
+  void Exchange(Scene& scene, LightRays lightRays) override;
   const std::vector<RegionBounds>& GetRegions() const override { return this->Regions; }
   void Compose(const std::vector<vtkSmartPointer<vtkImageData>>& parts, vtkImageData* image,
     ImageTotals& totals) override;
@@ -46,6 +50,9 @@ public:
   const ExchangeCounts& GetCounts() const { return this->Counts; }
 
 private:
+  /// Returns the units of each surface of this rank that each rank needs. `bounds` are those of the whole scene.
+  std::vector<std::vector<std::vector<std::uint32_t>>> Select(const Scene& scene,
+    const ImageDivision& division, LightRays lightRays, const AxisAlignedBox& bounds);
   /// Counts the primitives of this rank and the bytes of all surfaces, of which `bytes` were this rank's.
   void Count(const Scene& scene, long long bytes);
 

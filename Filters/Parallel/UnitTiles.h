@@ -66,6 +66,30 @@ void VisitTilesOfBox(const AxisAlignedBox& box, const Camera& camera, const Visi
   }
 }
 
+/// Returns the bounds of a unit of a surface.
+inline AxisAlignedBox GetUnitBox(const Surface& surface, std::uint32_t unit)
+{
+  if (surface.Instances)
+  {
+    return surface.Instances->GetBox(unit);
+  }
+  AxisAlignedBox box;
+  if (surface.IsRound())
+  {
+    const RoundShape shape = surface.GetRoundShape(unit);
+    box.Add(shape.A - shape.RadiusA);
+    box.Add(shape.A + shape.RadiusA);
+    box.Add(shape.B - shape.RadiusB);
+    box.Add(shape.B + shape.RadiusB);
+    return box;
+  }
+  for (const glm::vec3& point : surface.GetPoints(unit))
+  {
+    box.Add(point);
+  }
+  return box;
+}
+
 /// Calls visit(unit, tile) for all units of a surface, one after the other.
 template <typename Visit>
 void VisitTilesOfUnits(const Surface& surface, const Camera& camera, const Visit& visit)
@@ -75,19 +99,9 @@ void VisitTilesOfUnits(const Surface& surface, const Camera& camera, const Visit
   for (std::uint32_t unit = 0; unit < count; ++unit)
   {
     const auto visitUnit = [&](int tile) { visit(unit, tile); };
-    if (surface.Instances)
+    if (surface.Instances || surface.IsRound())
     {
-      VisitTilesOfBox(surface.Instances->GetBox(unit), camera, visitUnit);
-    }
-    else if (surface.IsRound())
-    {
-      const RoundShape shape = surface.GetRoundShape(unit);
-      AxisAlignedBox box;
-      box.Add(shape.A - shape.RadiusA);
-      box.Add(shape.A + shape.RadiusA);
-      box.Add(shape.B - shape.RadiusB);
-      box.Add(shape.B + shape.RadiusB);
-      VisitTilesOfBox(box, camera, visitUnit);
+      VisitTilesOfBox(GetUnitBox(surface, unit), camera, visitUnit);
     }
     else
     {

@@ -107,9 +107,16 @@ void vtkPenumbraRayCaster::Internals::ExchangeScene(
   this->Distribution->Compare(view);
   this->DistributedOverlay = std::move(scene.OverlayImage);
   scene.OverlayImage = penumbra::Overlay();
-  const bool needsAll = self->GetShadows() || self->GetAmbientOcclusion() || self->IndirectLight ||
-    this->Medium || (self->GeometryArrays && this->Constants.OcclusionArray);
-  this->Distribution->Exchange(scene, needsAll);
+  const bool hasLargeLights = self->LightRadius > 0.0 || self->LightAngle > 0.0 ||
+    std::any_of(scene.Lights.begin(), scene.Lights.end(),
+      [](const penumbra::Light& light) { return light.HasSize(); });
+  const bool needsAll = (self->GetShadows() && hasLargeLights) || self->GetAmbientOcclusion() ||
+    self->IndirectLight || this->Medium || (self->GeometryArrays && this->Constants.OcclusionArray);
+  using LightRays = penumbra::SceneDistribution::LightRays;
+  this->Distribution->Exchange(scene,
+    needsAll               ? LightRays::All
+      : self->GetShadows() ? LightRays::ToLights
+                           : LightRays::None);
 }
 
 bool vtkPenumbraRayCaster::Internals::RenderRegions(vtkPenumbraRayCaster* self,

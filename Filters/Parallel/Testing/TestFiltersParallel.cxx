@@ -14,6 +14,7 @@
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPenumbraDistributedIrradianceFilter.h"
@@ -410,6 +411,85 @@ TEST(vtkPenumbraDistributedRayCaster, ExchangesPointsLinesSpheresAndTubes)
           caster->SetLineRadius(radius);
         });
       EXPECT_GT(GetNumber(image, "Statistics/Edges/Projected"), 100.0);
+    }
+  }
+}
+
+TEST(vtkPenumbraDistributedRayCaster, ReceivesWhatCastsHardShadows)
+{
+  // Spheres in a row along the light, each of which casts a shadow on those behind it.
+  const MakeData make = [](int rank, int) {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(1.5 * rank, 0.3 * (rank % 2), 0.0);
+    sphere->SetThetaResolution(70);
+    sphere->SetPhiResolution(70);
+    sphere->Update();
+    return vtkSmartPointer<vtkPolyData>(sphere->GetOutput());
+  };
+  const auto view = [&](vtkPolyData* data, bool isPositional) {
+    const vtkSmartPointer<vtkRenderer> renderer = MakeRenderer(data, KeepActor);
+    renderer->GetActiveCamera()->SetPosition(2.2, 1.0, 9.0);
+    renderer->GetActiveCamera()->SetFocalPoint(2.2, 0.0, 0.0);
+    auto* light = vtkLight::SafeDownCast(renderer->GetLights()->GetItemAsObject(0));
+    light->SetPositional(isPositional);
+    light->SetPosition(9.0, isPositional ? 0.2 : 1.0, 1.0);
+    light->SetConeAngle(180.0);
+    return renderer;
+  };
+  for (const bool isPositional : { false, true })
+  {
+    SCOPED_TRACE(isPositional);
+    const auto render = [&](Caster* caster, vtkPolyData* data, bool hasShadows) {
+      return Render(caster, {}, [&](Caster* c) {
+        c->SetRenderer(view(data, isPositional));
+        c->SetShadows(hasShadows);
+      });
+    };
+    const auto renderAll = [&](bool hasShadows) {
+      return Unpack(RunRanks(1,
+        [&](int) {
+          vtkNew<vtkAppendPolyData> append;
+          for (int rank = 0; rank < 4; ++rank)
+          {
+            append->AddInputData(vtkPolyData::SafeDownCast(make(rank, 4)));
+          }
+          append->Update();
+          return Pack(render(vtkNew<vtkPenumbraRayCaster>(), append->GetOutput(), hasShadows));
+        })[0]
+                      .Value);
+    };
+    const Image expected = renderAll(true);
+    EXPECT_NE(expected.at("Color"), renderAll(false).at("Color"));
+    double received = 0.0;
+    for (const RankResult& result : RunRanks(4, [&](int rank) {
+           return Pack(render(vtkNew<vtkPenumbraDistributedRayCaster>(),
+             vtkPolyData::SafeDownCast(make(rank, 4)), true));
+         }))
+    {
+      const Image image = Unpack(result.Value);
+      ExpectSame(image, expected);
+      EXPECT_EQ(image.count("Warning"), 0u) << image.at("Warning");
+      received += GetNumber(image, "Statistics/Exchange/SceneBytes") /
+        GetNumber(image, "Statistics/Exchange/WholeBytes");
+    }
+    EXPECT_LT(received, 1.2); // all surfaces: 1.6
+  }
+}
+
+TEST(vtkPenumbraDistributedRayCaster, MatchesOneRankWithHardShadows)
+{
+  for (const double opacity : { 1.0, 0.4 })
+  {
+    for (const double z : { 4.0, -1.0 })
+    {
+      SCOPED_TRACE(testing::Message() << opacity << " " << z);
+      ExpectSameViewsOnRanks(
+        3, MakeCoarse, [=](vtkActor* actor) { actor->GetProperty()->SetOpacity(opacity); },
+        [=](Caster* caster) {
+          caster->ShadowsOn();
+          vtkLightCollection* const lights = caster->GetRenderer()->GetLights();
+          vtkLight::SafeDownCast(lights->GetItemAsObject(0))->SetPosition(3.0, 5.0, z);
+        });
     }
   }
 }

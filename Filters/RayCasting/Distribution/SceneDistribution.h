@@ -36,6 +36,14 @@ using SettingList = std::vector<std::pair<std::string, std::string>>;
 class SceneDistribution
 {
 public:
+  /// Rays that a part of the image needs in addition to camera rays.
+  enum class LightRays
+  {
+    None,
+    ToLights, ///< from visible points to lights without a size
+    All
+  };
+
   virtual ~SceneDistribution() = default;
 
   /// Throws RankFailure, with the name of the first setting that differs between ranks, if there is one.
@@ -44,10 +52,9 @@ public:
   /// Enlarges the bounds and the radius to those of all ranks, see ExtractionOptions::UniteExtent.
   virtual void UniteExtent(double bounds[6], double& radius) = 0;
 
-  /// Replaces the surfaces of this rank by those that its part of the image needs: for all rays within
-  /// `scene`, if `needsAll` is set, and for camera rays otherwise. The scenes of all ranks have the same
-  /// surfaces, parts of them (Surface::Whole).
-  virtual void Exchange(Scene& scene, bool needsAll) = 0;
+  /// Replaces the surfaces of this rank by those that its part of the image needs, for camera rays and
+  /// for `lightRays`. The scenes of all ranks have the same surfaces, parts of them (Surface::Whole).
+  virtual void Exchange(Scene& scene, LightRays lightRays) = 0;
 
   /// Returns the parts of the image that this rank renders. Those of all ranks divide the image.
   virtual const std::vector<RegionBounds>& GetRegions() const = 0;

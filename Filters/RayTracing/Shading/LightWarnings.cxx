@@ -21,6 +21,15 @@ namespace penumbra
 namespace
 {
 
+/// Returns true if other ranks of a parallel program have the rest of a surface.
+bool IsPart(const Surface& surface)
+{
+  const std::size_t count = surface.Instances
+    ? surface.Triangles.size() + surface.Instances->GetCount()
+    : surface.GetNumberOfPrimitives();
+  return surface.Whole && count < surface.Whole->Primitives;
+}
+
 /// Returns true if the bounding box of three points, enlarged by `radius`, contains `center`.
 bool IsNearBox(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 center, float radius)
 {
@@ -169,7 +178,9 @@ std::vector<std::string> DescribeLightOverlaps(const Scene& scene)
 
 std::string DescribeMissingLight(const RayScene& rays, bool shadows, const Illumination* indirect)
 {
-  if (rays.GetScene().EnvironmentReflections)
+  const std::vector<Surface>& surfaces = rays.GetScene().Surfaces;
+  if (rays.GetScene().EnvironmentReflections ||
+    std::any_of(surfaces.begin(), surfaces.end(), IsPart))
   {
     return {};
   }

@@ -27,8 +27,9 @@ VTKPENUMBRAFILTERSRAYTRACING_EXPORT std::vector<std::string> DescribeLightOverla
 /// Returns one sentence that says what to do if neither direct nor reflected light was found at any
 /// surface point that the camera sees in a grid of pixels: the camera may be in a closed box without a
 /// light, or the light inside an opaque object. Returns an empty string if light was found, if nothing is
-/// in view, or if the visible surfaces are black. `shadows`: lights cast shadows. `indirect`: reflected
-/// light and that of the environment, which takes a few thousand rays at most; null if there is none.
+/// in view, if the visible surfaces are black, or if other ranks have parts of surfaces. `shadows`: lights cast
+/// shadows. `indirect`: reflected light and that of the environment, which takes a few thousand rays at most;
+/// null if there is none.
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT std::string DescribeMissingLight(
   const RayScene& rays, bool shadows, const Illumination* indirect);
 
