@@ -44,6 +44,21 @@ double RelativeRmse(const std::vector<double>& values, const std::vector<double>
   return std::sqrt(squares / size);
 }
 
+/// Returns the fraction of pixels that are off by more than 0.1 of the light that 95 % of them do not
+/// reach.
+double FractionOff(const std::vector<double>& values, const std::vector<double>& reference)
+{
+  std::vector<double> sorted = reference;
+  std::sort(sorted.begin(), sorted.end());
+  const double scale = sorted[sorted.size() * 95 / 100];
+  int off = 0;
+  for (std::size_t i = 0; i < reference.size(); ++i)
+  {
+    off += std::abs(values[i] - reference[i]) > 0.1 * scale;
+  }
+  return static_cast<double>(off) / static_cast<double>(reference.size());
+}
+
 /// Posts in haze, in one actor.
 class ShaftShadowMaps : public ::testing::Test
 {
@@ -133,6 +148,29 @@ TEST_F(ShaftShadowMaps, MatchTheReferenceForPositionalLights)
   EXPECT_LT(
     RelativeRmse(this->Scene->RenderWithPass(), this->Scene->RenderWithRayCaster(96)), 0.025);
   EXPECT_EQ(this->Statistic("ShadowMaps/Rendered"), 1.0);
+}
+
+TEST_F(ShaftShadowMaps, MatchTheReferenceAroundAVisibleSpotlight)
+{
+  this->Scene = MakeComb(256);
+  const vtkSmartPointer<vtkLight> light = this->Scene->AddLamp({ 0.0, 2.0, 5.0 });
+  light->SetFocalPoint(0.0, 0.0, 0.5);
+  light->SetConeAngle(60.0);
+  light->SetExponent(0.0);
+  const std::vector<double> reference = this->Scene->RenderWithRayCaster(256);
+  const std::vector<double> image = this->Scene->RenderWithPass();
+  EXPECT_LT(RelativeRmse(image, reference), 0.04);
+  EXPECT_LT(FractionOff(image, reference), 0.008);
+}
+
+TEST_F(ShaftShadowMaps, MatchTheReferenceForASunBehindTheCamera)
+{
+  this->Scene = MakeComb(256);
+  this->Scene->AddSun({ 0.05, -1.0, 0.2 });
+  const std::vector<double> reference = this->Scene->RenderWithRayCaster(256);
+  EXPECT_LT(FractionOff(this->Scene->RenderWithPass(), reference), 0.004);
+  this->Scene->Pass->SetEstimatorToDepth();
+  EXPECT_GT(FractionOff(this->Scene->RenderWithPass(), reference), 0.02);
 }
 
 TEST_F(ShaftShadowMaps, AreReplacedByDepthForALightInsideTheScene)
