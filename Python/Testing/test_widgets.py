@@ -58,6 +58,20 @@ class Widgets(unittest.TestCase):
 
         self.check(add, different=0.05)
 
+    def test_charts_have_the_layout_of_the_window_in_larger_images(self):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(400, 300))
+        chart = pyvista.Chart2D(x_label="time", y_label="height")
+        chart.line(range(10), [value * value for value in range(10)])
+        plotter.add_chart(chart)
+        plotter.show(auto_close=False)
+        rows = []
+        for scale in (1, 2, 4):
+            dark = plotter.penumbra.ray_cast(scale=scale)[..., :3].max(axis=2) < 60
+            axis = numpy.flatnonzero(dark.mean(axis=1) > 0.3)
+            rows.append((axis.mean() + 0.5) / scale)  # the horizontal axis, in pixels of the window
+        plotter.close()
+        self.assertLess(max(rows) - min(rows), 0.5)  # was 1
+
     def test_charts(self):
         def add(plotter):
             chart = pyvista.Chart2D(size=(0.6, 0.5), loc=(0.1, 0.1), x_label="time", y_label="height")
