@@ -29,8 +29,11 @@ constexpr float SameSiteCosine = 0.7f;
 /// along the plane.
 constexpr float SameSiteHeight = 0.5f;
 constexpr float SameSiteSlope = 0.35f;
-/// Number of samples that determine the parts of several sites in a pixel, beside the first ones.
-constexpr std::uint32_t PartSamples = 32;
+/// Number of samples that determine the parts of several sites in a pixel, beside the first ones, to
+/// PartTolerance or less. Their error decreases with the power 3/4 of their number.
+constexpr std::uint32_t MaximumPartSamples = 32;
+constexpr std::uint32_t MinimumPartSamples = 2;
+constexpr double PartTolerance = 0.01;
 /// Squared error of these parts, relative to the squared difference between both halves of the samples.
 constexpr float PartVarianceGain = 0.125f;
 /// Variance of the colors of a pixel, relative to 1 + their squared mean, below which changes are rather in
@@ -45,8 +48,10 @@ constexpr int MaximumSiteRays = 1024;
 /// Number of rounds after the first, and largest factor by which the number of rays grows in each.
 constexpr int LightRounds = 6;
 constexpr float LargestRayGrowth = 4.f;
-/// Number of occlusion rays from each hit of a camera ray in these rounds, where a pixel has one site.
+/// Number of rays from each hit of a camera ray in these rounds: where a pixel has one site, and where it has several
+/// without translucent layers.
 constexpr std::uint32_t RaysOfHit = 4;
+constexpr std::uint32_t RaysOfComplexHit = 2;
 /// More rays are traced where the estimated error exceeds this fraction of the tolerance.
 constexpr float LightErrorMargin = 0.75f;
 /// Side of the blocks of pixels whose number of rays grows alike, and their number on each side of a tile.

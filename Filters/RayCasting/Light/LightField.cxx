@@ -88,6 +88,7 @@ public:
             sites.insert(sites.end(), found.begin(), found.end());
           }
         });
+        sites.shrink_to_fit();
       });
     if (finished)
     {
@@ -147,6 +148,12 @@ private:
   /// Moves the sites of all tiles to the grid.
   void JoinTiles()
   {
+    std::size_t count = 0;
+    for (const std::vector<LightSite<N>>& sites : this->FoundSites)
+    {
+      count += sites.size();
+    }
+    this->Grid.Sites.reserve(count);
     for (std::size_t tile = 0; tile < this->FoundSites.size(); ++tile)
     {
       std::vector<LightSite<N>>& sites = this->FoundSites[tile];

@@ -92,6 +92,9 @@ public:
                                       : this->Effects.Occlusion->GetRadius();
   }
 
+  /// Returns the tolerance of the sum of the effects, on a white surface.
+  double GetTolerance() const { return this->Effects.Tolerance; }
+
   /// Returns the squared range of values.
   Value GetSquaredRange() const;
 

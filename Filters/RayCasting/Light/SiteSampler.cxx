@@ -61,6 +61,18 @@ enum Sequences
   MergedLayers,
 };
 
+/// Returns the number of samples that determine the parts of a pixel: a power of two.
+std::uint32_t CountPartSamples(double tolerance)
+{
+  std::uint32_t samples = MaximumPartSamples;
+  while (samples > MinimumPartSamples &&
+    std::pow(tolerance / PartTolerance, 4.0 / 3.0) >= MaximumPartSamples / (0.75 * samples))
+  {
+    samples /= 2;
+  }
+  return samples;
+}
+
 OwenSobolSequence MakeSequence(std::uint32_t seed, int half, Sequences kind)
 {
   return OwenSobolSequence(MixBits(seed + 2u * static_cast<std::uint32_t>(kind) + half));
@@ -71,7 +83,8 @@ OwenSobolSequence MakeSequence(std::uint32_t seed, int half, Sequences kind)
 template <int N>
 SiteSampler<N>::SiteSampler(const CameraRayTracer& tracer, const LightRays<N>& rays)
   : Tracer(tracer),
-    Source(rays)
+    Source(rays),
+    PartSamples(CountPartSamples(rays.GetTolerance()))
 {
 }
 
@@ -111,7 +124,8 @@ void SiteSampler<N>::AddRequests(
     return;
   }
   const bool isShaded = before == 0 || this->Pixels[cell].IsComplex;
-  const std::uint32_t rays = isShaded || added % RaysOfHit != 0 ? 1 : RaysOfHit;
+  const std::uint32_t wanted = before == 0 ? 1 : this->CountRaysOfHit(cell);
+  const std::uint32_t rays = added % wanted != 0 ? 1 : wanted;
   for (std::uint32_t i = from; i < to; i += rays)
   {
     for (int half = 0; half < Halves; ++half)
@@ -121,6 +135,16 @@ void SiteSampler<N>::AddRequests(
         first + cell * added + i, rays, isShaded });
     }
   }
+}
+
+// Camera rays choose among the layers behind the first ones, so that each needs its own ray.
+template <int N>
+std::uint32_t SiteSampler<N>::CountRaysOfHit(int cell) const
+{
+  const std::vector<LightSite<N>>& sites = this->Sites[cell];
+  const bool hasLayers = std::any_of(
+    sites.begin(), sites.end(), [](const LightSite<N>& site) { return site.Layer > 0; });
+  return !this->Pixels[cell].IsComplex ? RaysOfHit : hasLayers ? 1 : RaysOfComplexHit;
 }
 
 // A block in which the first samples of all pixels show the background gets no further ones.
@@ -151,9 +175,9 @@ void SiteSampler<N>::FindSites(glm::ivec2 first)
   for (int cell = 0; cell < Cells; ++cell)
   {
     this->Pixels[cell].IsComplex = this->IsComplex(cell);
-    for (std::uint32_t i = 0; i < PartSamples && this->Pixels[cell].IsComplex; ++i)
+    for (std::uint32_t i = 0; i < this->PartSamples && this->Pixels[cell].IsComplex; ++i)
     {
-      const std::uint32_t index = FirstPartIndex + (cell * PartSamples + i) / Halves;
+      const std::uint32_t index = FirstPartIndex + (cell * this->PartSamples + i) / Halves;
       this->Requests.push_back({ cell, static_cast<int>(i % Halves), index, index, 0, true });
     }
   }

@@ -59,6 +59,8 @@ private:
   /// Adds the samples [from, to) of `added` ones of each half that follow `before`.
   void AddRequests(
     int cell, std::uint32_t before, std::uint32_t from, std::uint32_t to, std::uint32_t added);
+  /// Returns the number of rays that start at a hit after the first round.
+  std::uint32_t CountRaysOfHit(int cell) const;
   void TraceRequests(bool createsSites);
   float ChooseLayer(const Request& request) const;
   void AddLayer(const Request& request, const LitLayer& layer, std::uint16_t number,
@@ -72,6 +74,7 @@ private:
 
   const CameraRayTracer& Tracer;
   const LightRays<N>& Source;
+  const std::uint32_t PartSamples; ///< of a pixel with several sites
   glm::ivec2 First{ 0 };
   std::uint32_t Seed = 0;
   std::vector<LightSite<N>> Sites[Cells];
