@@ -62,7 +62,6 @@ const std::map<std::string, int> LongFiles = {
   { "Filters/RayTracing/Shading/Shading.cxx", 577 },
   { "Filters/RayTracing/Shading/Shading.h", 172 },
   { "Filters/Scene/Annotation/ChartPainter.cxx", 524 },
-  { "Filters/Scene/Import/SceneExtraction.cxx", 590 },
   { "Filters/Scene/Surface.h", 296 },
   { "Rendering/ScreenSpace/Frame/ScreenSpaceConstants.h", 170 },
   { "Rendering/ScreenSpace/Shafts/ShaftViewState.cxx", 532 },

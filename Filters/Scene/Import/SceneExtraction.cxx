@@ -22,7 +22,6 @@
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
-#include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -45,43 +44,6 @@ namespace penumbra
 {
 namespace
 {
-
-/// Extends `bounds` by the finite points of `item`, transformed by `toWorld`.
-void AddBounds(const DrawItem& item, const glm::dmat4& toWorld, double bounds[6])
-{
-  for (vtkIdType i = 0; i < item.Data->GetNumberOfPoints(); ++i)
-  {
-    double x[3];
-    item.Data->GetPoints()->GetPoint(i, x);
-    const glm::dvec4 world = toWorld * glm::dvec4(x[0], x[1], x[2], 1.0);
-    for (int k = 0; k < 3; ++k)
-    {
-      if (std::isfinite(world[k]))
-      {
-        bounds[2 * k] = std::min(bounds[2 * k], world[k]);
-        bounds[2 * k + 1] = std::max(bounds[2 * k + 1], world[k]);
-      }
-    }
-  }
-}
-
-void ComputeBounds(const std::vector<DrawItem>& items, double bounds[6])
-{
-  std::fill_n(bounds, 6, std::numeric_limits<double>::infinity());
-  bounds[1] = bounds[3] = bounds[5] = -bounds[0];
-  for (const DrawItem& item : items)
-  {
-    if (!item.GlyphInstances)
-    {
-      AddBounds(item, item.ToWorld, bounds);
-      continue;
-    }
-    for (const glm::dmat4x3& transform : item.GlyphInstances->Transforms)
-    {
-      AddBounds(item, glm::dmat4(transform), bounds);
-    }
-  }
-}
 
 /// Sets the radii of spheres and tubes that `options` require.
 void SetRadii(const ExtractionOptions& options, std::vector<DrawItem>& items)
@@ -110,28 +72,6 @@ double FindPixelWidth(vtkCamera* camera, const double bounds[6], const Extractio
   return height / options.Resolution[1];
 }
 
-/// Returns the largest radius of the spheres and tubes of `item`, in world units. `pointWidth` is the
-/// width of 1/72 inch of the image.
-double FindLargestRadius(const DrawItem& item, double pointWidth)
-{
-  if (item.Radii)
-  {
-    double range[2];
-    item.Radii->GetFiniteRange(range);
-    return std::max(range[1], 0.0);
-  }
-  double radius = std::max(item.PointRadius, item.LineRadius);
-  if (item.Property->GetRenderPointsAsSpheres())
-  {
-    radius = std::max(radius, 0.5 * item.Property->GetPointSize() * pointWidth);
-  }
-  if (item.Property->GetRenderLinesAsTubes())
-  {
-    radius = std::max(radius, 0.5 * item.Property->GetLineWidth() * pointWidth);
-  }
-  return radius;
-}
-
 /// Adds what other processes show.
 void UniteExtent(const ExtractionOptions& options, double bounds[6], double& radius)
 {
@@ -151,18 +91,30 @@ void Inflate(double radius, double bounds[6])
   }
 }
 
-/// Returns true if the surfaces of `item` may depend on the camera: lines and points with a size in
-/// pixels, images that face the camera, normals of wireframes.
-bool DependsOnCamera(const DrawItem& item)
+bool AreFinite(const double bounds[6])
 {
-  vtkProperty* property = item.Property;
-  const bool hasPoints = item.Data->GetVerts()->GetNumberOfCells() > 0;
-  const bool hasLines = item.Data->GetLines()->GetNumberOfCells() > 0;
-  return item.FacingSplats || !item.PolygonOffset.IsZero() ||
-    property->GetRepresentation() != VTK_SURFACE || property->GetEdgeVisibility() ||
-    property->GetVertexVisibility() || property->GetRenderPointsAsSpheres() ||
-    property->GetRenderLinesAsTubes() || (hasPoints && !item.Radii && !(item.PointRadius > 0.0)) ||
-    (hasLines && !(item.LineRadius > 0.0));
+  return std::all_of(bounds, bounds + 6, [](double x) { return std::isfinite(x); });
+}
+
+/// Computes the bounds of the props of all processes, with their spheres and tubes.
+void ComputeSceneBounds(vtkRenderer* renderer, const std::vector<DrawItem>& items,
+  const ExtractionOptions& options, double bounds[6])
+{
+  renderer->ComputeVisiblePropBounds(bounds);
+  if (!AreFinite(bounds))
+  {
+    ComputeBounds(items, bounds);
+  }
+  double noRadius = 0.0;
+  UniteExtent(options, bounds, noRadius);
+  if (renderer->IsActiveCameraCreated() && vtkBoundingBox(bounds).IsValid())
+  {
+    // Rays must start in front of spheres and tubes.
+    const double width = FindPixelWidth(renderer->GetActiveCamera(), bounds, options);
+    double largest = FindLargestRadius(items, width * options.DPI / 72.0);
+    UniteExtent(options, bounds, largest);
+    Inflate(largest, bounds);
+  }
 }
 
 std::vector<vtkProp*> GetProps(vtkRenderer* renderer)
@@ -197,24 +149,6 @@ void ExtractView(vtkRenderer* renderer, const double bounds[6], const Extraction
   ExtractEnvironmentLight(renderer, scene);
 }
 
-/// Finds the slopes of surfaces if the offset of a line or point depends on them.
-void FindSlopes(const Scene& scene, std::vector<DrawItem>& items)
-{
-  const bool isUsed = std::any_of(items.begin(), items.end(), [](const DrawItem& item) {
-    const bool hasLinesOrPoints = item.Property->GetRepresentation() != VTK_SURFACE ||
-      item.Data->GetLines()->GetNumberOfCells() + item.Data->GetVerts()->GetNumberOfCells() > 0;
-    return hasLinesOrPoints && (item.LineOffset.Factor != 0.0 || item.PointOffset.Factor != 0.0);
-  });
-  if (isUsed)
-  {
-    const auto slopes = std::make_shared<SurfaceSlopes>(items, scene);
-    for (DrawItem& item : items)
-    {
-      item.Slopes = slopes;
-    }
-  }
-}
-
 void AddDrawItems(
   const std::vector<DrawItem>& items, const ExtractionOptions& options, Scene& scene)
 {
@@ -225,12 +159,22 @@ void AddDrawItems(
   }
 }
 
-/// Returns true if the surfaces of `item` depend on those of others, through its offset.
-bool DependsOnOthers(const DrawItem& item)
+/// Adds the props whose surfaces depend on the camera and the size of the image. `firstObject`: id of the
+/// first of them.
+void AddViewProps(vtkRenderer* renderer, int firstObject, const ExtractionOptions& options,
+  const glm::dmat4& distortion, Scene& scene)
 {
-  const bool hasLinesOrPoints =
-    item.Data->GetLines()->GetNumberOfCells() + item.Data->GetVerts()->GetNumberOfCells() > 0;
-  return hasLinesOrPoints && !(item.LineOffset.IsZero() && item.PointOffset.IsZero());
+  const std::vector<DrawItem> texts = MakeBillboards(renderer, options.DPI, firstObject, scene);
+  AddDrawItems(texts, options, scene);
+  const std::vector<DrawItem> axes =
+    MakeCubeAxes(renderer, options.DPI, firstObject + static_cast<int>(texts.size()), scene);
+  AddDrawItems(axes, options, scene);
+  if (distortion != glm::dmat4(1.0) && (!texts.empty() || !axes.empty() || !options.ClipToRange))
+  {
+    scene.Warnings.emplace_back(
+      "The transform of the camera does not distort billboards, cube axes, "
+      "shadows and ambient occlusion. Use a rigid transform.");
+  }
 }
 
 /// Returns true if the surfaces of the items are the same for other views and other props.
@@ -275,11 +219,7 @@ ReadProp Read(
   result.Record.FirstObject = firstObject;
   result.Record.NumberOfObjects = read.NumberOfObjects;
   result.Record.Warnings = std::move(read.Warnings);
-  for (const DrawItem& item : read.Items)
-  {
-    result.Record.LargestRadius =
-      std::max(result.Record.LargestRadius, FindLargestRadius(item, 0.0));
-  }
+  result.Record.LargestRadius = FindLargestRadius(read.Items, 0.0);
   result.Items = std::move(read.Items);
   return result;
 }
@@ -390,14 +330,17 @@ void ReplaceSurfaces(ReadProp& prop, Scene& next, PropRecord& record, Scene& sce
   record = std::move(prop.Record);
 }
 
-/// Adds the warnings about the renderer and its props.
-void AddWarnings(vtkRenderer* renderer, const SceneRecord& record, Scene& scene)
+/// Adds the 2-D props, and the warnings about the renderer and its props.
+void FinishScene(
+  vtkRenderer* renderer, const ExtractionOptions& options, const SceneRecord& record, Scene& scene)
 {
   WarnUnsupportedRenderer(renderer, scene.Warnings);
   for (const PropRecord& prop : record.Props)
   {
     scene.Warnings.insert(scene.Warnings.end(), prop.Warnings.begin(), prop.Warnings.end());
   }
+  ExtractOverlay(renderer, options.DPI, options.FindDepths, scene);
+  scene.Warnings = MergeWarnings(scene.Warnings);
 }
 
 }
@@ -421,25 +364,7 @@ Scene ExtractScene(
   MakeDepthOffsetsRelative(record.FarthestOffset, items);
   RequireMemoryForItems(items);
   double bounds[6];
-  renderer->ComputeVisiblePropBounds(bounds);
-  if (!std::all_of(bounds, bounds + 6, [](double x) { return std::isfinite(x); }))
-  {
-    ComputeBounds(items, bounds);
-  }
-  double noRadius = 0.0;
-  UniteExtent(options, bounds, noRadius);
-  if (renderer->IsActiveCameraCreated() && vtkBoundingBox(bounds).IsValid())
-  {
-    // Rays must start in front of spheres and tubes.
-    const double width = FindPixelWidth(renderer->GetActiveCamera(), bounds, options);
-    double largest = 0.0;
-    for (const DrawItem& item : items)
-    {
-      largest = std::max(largest, FindLargestRadius(item, width * options.DPI / 72.0));
-    }
-    UniteExtent(options, bounds, largest);
-    Inflate(largest, bounds);
-  }
+  ComputeSceneBounds(renderer, items, options, bounds);
   Scene scene;
   const glm::dmat4 distortion = FindViewDistortion(renderer);
   ApplyViewDistortion(distortion, items, bounds, scene.Warnings);
@@ -473,22 +398,8 @@ Scene ExtractScene(
     scene.Warnings.emplace_back("The clipping range of the camera excludes the whole scene. Call "
                                 "vtkRenderer::ResetCameraClippingRange().");
   }
-  // Parts that depend on the camera and the size of the image.
-  int next = items.empty() ? 0 : items.back().ObjectId + 1;
-  const std::vector<DrawItem> texts = MakeBillboards(renderer, options.DPI, next, scene);
-  next += static_cast<int>(texts.size());
-  AddDrawItems(texts, options, scene);
-  const std::vector<DrawItem> axes = MakeCubeAxes(renderer, options.DPI, next, scene);
-  AddDrawItems(axes, options, scene);
-  if (distortion != glm::dmat4(1.0) && (!texts.empty() || !axes.empty() || !options.ClipToRange))
-  {
-    scene.Warnings.emplace_back(
-      "The transform of the camera does not distort billboards, cube axes, "
-      "shadows and ambient occlusion. Use a rigid transform.");
-  }
-  AddWarnings(renderer, record, scene);
-  ExtractOverlay(renderer, options.DPI, options.FindDepths, scene);
-  scene.Warnings = MergeWarnings(scene.Warnings);
+  AddViewProps(renderer, items.empty() ? 0 : items.back().ObjectId + 1, options, distortion, scene);
+  FinishScene(renderer, options, record, scene);
   if (recordOrNull)
   {
     *recordOrNull = isIndependent ? std::move(record) : SceneRecord();
@@ -519,7 +430,7 @@ bool UpdateScene(vtkRenderer* renderer, const ExtractionOptions& options, SceneR
   }
   double bounds[6];
   box.GetBounds(bounds);
-  if (!box.IsValid() || !std::all_of(bounds, bounds + 6, [](double x) { return std::isfinite(x); }))
+  if (!box.IsValid() || !AreFinite(bounds))
   {
     return false;
   }
@@ -560,9 +471,7 @@ bool UpdateScene(vtkRenderer* renderer, const ExtractionOptions& options, SceneR
   scene.OverlayImage = std::move(next.OverlayImage);
   scene.Warnings = std::move(next.Warnings);
   update(changes);
-  AddWarnings(renderer, record, scene);
-  ExtractOverlay(renderer, options.DPI, options.FindDepths, scene);
-  scene.Warnings = MergeWarnings(scene.Warnings);
+  FinishScene(renderer, options, record, scene);
   return true;
 }
 

@@ -101,6 +101,23 @@ struct DrawItem
   ProgressCallback Progress; ///< on a stop request, reading the item throws Stopped
 };
 
+/// Bounds of the finite points of all items in world coordinates; those without any are infinite, and
+/// the lower ones above the upper ones.
+void ComputeBounds(const std::vector<DrawItem>& items, double bounds[6]);
+
+/// Returns the largest radius of the spheres and tubes of all items, in world units. `pointWidth` is the
+/// width of 1/72 inch of the image.
+double FindLargestRadius(const std::vector<DrawItem>& items, double pointWidth);
+
+bool HasLinesOrPoints(const DrawItem& item);
+
+/// Returns true if the surfaces of `item` may depend on the camera: lines and points with a size in
+/// pixels, images that face the camera, normals of wireframes.
+bool DependsOnCamera(const DrawItem& item);
+
+/// Returns true if the surfaces of `item` depend on those of others, through its offset.
+bool DependsOnOthers(const DrawItem& item);
+
 /// Transform from the coordinates of a data set to scene coordinates.
 class SceneTransform
 {

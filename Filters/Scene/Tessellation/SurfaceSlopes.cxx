@@ -12,6 +12,9 @@
 #include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
 
+#include <algorithm>
+#include <memory>
+
 namespace penumbra
 {
 namespace
@@ -93,6 +96,22 @@ double SurfaceSlopes::Find(glm::dvec3 x) const
   }
   return ComputeSlopeOfPlane(
     this->View, x, glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+}
+
+void FindSlopes(const Scene& scene, std::vector<DrawItem>& items)
+{
+  const bool isUsed = std::any_of(items.begin(), items.end(), [](const DrawItem& item) {
+    return (item.Property->GetRepresentation() != VTK_SURFACE || HasLinesOrPoints(item)) &&
+      (item.LineOffset.Factor != 0.0 || item.PointOffset.Factor != 0.0);
+  });
+  if (isUsed)
+  {
+    const auto slopes = std::make_shared<SurfaceSlopes>(items, scene);
+    for (DrawItem& item : items)
+    {
+      item.Slopes = slopes;
+    }
+  }
 }
 
 }

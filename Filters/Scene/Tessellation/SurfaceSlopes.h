@@ -37,5 +37,8 @@ private:
   vtkNew<vtkStaticCellLocator> Locator;
 };
 
+/// Sets the slopes of all items if the offset of a line or point depends on them.
+void FindSlopes(const Scene& scene, std::vector<DrawItem>& items);
+
 }
 #endif
