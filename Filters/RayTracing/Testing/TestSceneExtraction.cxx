@@ -24,6 +24,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSelection.h"
+#include "vtkSelectionNode.h"
 #include "vtkTable.h"
 #include "vtkTexture.h"
 #include "vtkVolume.h"
@@ -261,7 +262,10 @@ TEST(SceneExtraction, WarnsAboutUnsupportedProperties)
   vtkActor* actor = AddCube(renderer);
   EXPECT_TRUE(ExtractScene(renderer, Square()).Warnings.empty());
   actor->GetProperty()->SetTexture("second", vtkNew<vtkTexture>());
-  actor->GetMapper()->SetSelection(vtkNew<vtkSelection>());
+  vtkNew<vtkSelection> selection;
+  actor->GetMapper()->SetSelection(selection);
+  EXPECT_FALSE(Warns(ExtractScene(renderer, Square()), "selected cells"));
+  selection->AddNode(vtkNew<vtkSelectionNode>());
   const Scene scene = ExtractScene(renderer, Square());
   EXPECT_TRUE(Warns(scene, "textures of the property"));
   EXPECT_TRUE(Warns(scene, "selected cells"));
