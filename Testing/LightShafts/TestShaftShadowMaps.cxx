@@ -159,8 +159,8 @@ TEST_F(ShaftShadowMaps, MatchTheReferenceAroundAVisibleSpotlight)
   light->SetExponent(0.0);
   const std::vector<double> reference = this->Scene->RenderWithRayCaster(256);
   const std::vector<double> image = this->Scene->RenderWithPass();
-  EXPECT_LT(RelativeRmse(image, reference), 0.04);
-  EXPECT_LT(FractionOff(image, reference), 0.008);
+  EXPECT_LT(RelativeRmse(image, reference), 0.02);
+  EXPECT_LT(FractionOff(image, reference), 0.001);
 }
 
 TEST_F(ShaftShadowMaps, MatchTheReferenceForASunBehindTheCamera)

@@ -9,6 +9,21 @@ uniform float coneExponent;
 
 const float maximumOpticalDepth = 18.0; // exp(-18) is below 2e-8: the rest of the ray is invisible
 
+// Limits the angles of a view ray to the cone of a spotlight. A cone is convex, so that the ray has one
+// part in it.
+vec2 clipToCone(vec2 angles, ViewRay ray, vec3 toLight)
+{
+  // At the angle a, the point minus the light is lightDistance * (across + tan(a) * direction).
+  vec3 across = (ray.closestApproach * ray.direction - toLight) / ray.lightDistance;
+  // Its cosine with the cone's axis: amplitude * cos(a - phase).
+  vec2 axis = vec2(dot(across, cone.xyz), dot(ray.direction, cone.xyz));
+  float amplitude = length(axis);
+  float phase = atan(axis.y, axis.x);
+  float halfWidth = acos(clamp(cone.w / max(amplitude, 1e-9), -1.0, 1.0));
+  vec2 inside = clamp(vec2(phase - halfWidth, phase + halfWidth), angles.x, angles.y);
+  return cone.w < -1.5 ? angles : inside;
+}
+
 ViewRay makeViewRay(vec2 pixel, float eyeDepth)
 {
   ViewRay ray = clipViewRay(pixel, eyeDepth);
@@ -17,6 +32,7 @@ ViewRay makeViewRay(vec2 pixel, float eyeDepth)
   ray.closestApproach = dot(toLight, ray.direction);
   ray.lightDistance = max(length(toLight - ray.closestApproach * ray.direction), 1e-5 * ray.end);
   ray.angles = atan((vec2(ray.begin, ray.end) - ray.closestApproach) / ray.lightDistance);
+  ray.angles = clipToCone(ray.angles, ray, toLight);
   return ray;
 }
 
