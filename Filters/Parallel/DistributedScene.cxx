@@ -58,6 +58,13 @@ ImageDivision DivideImage(const Scene& scene, bool hasLight, RankGroup& ranks)
     hasLight ? PartsPerRankWithLight : PartsPerRank };
 }
 
+Units ListUnits(const Surface& surface)
+{
+  Units units(CountUnits(surface));
+  std::iota(units.begin(), units.end(), 0u);
+  return units;
+}
+
 /// Returns the units of a surface that each rank needs to render its part of the image.
 std::vector<Units> SelectSeenUnits(
   const Surface& surface, const Camera& camera, const ImageDivision& division, int ranks)
@@ -120,7 +127,7 @@ void GetTextures(ByteReader& bytes, TextureMap& textures)
   }
 }
 
-/// Adds the units of surfaces that may cast shadows on what the ranks see, as `selected` says.
+/// Adds to `selected` the units that may cast shadows on those that it contains.
 void AddCastersOfShadows(const Scene& scene, const AxisAlignedBox& bounds, RankGroup& ranks,
   std::vector<std::vector<Units>>& selected)
 {
@@ -287,20 +294,11 @@ void DistributedScene::UniteExtent(double bounds[6], double& radius)
 std::vector<std::vector<Units>> DistributedScene::Select(const Scene& scene,
   const ImageDivision& division, LightRays lightRays, const AxisAlignedBox& bounds)
 {
-  const int ranks = this->Ranks.GetCount();
   std::vector<std::vector<Units>> selected;
   for (const Surface& surface : scene.Surfaces)
   {
-    if (lightRays == LightRays::All)
-    {
-      Units all(CountUnits(surface));
-      std::iota(all.begin(), all.end(), 0u);
-      selected.emplace_back(static_cast<std::size_t>(ranks), all);
-    }
-    else
-    {
-      selected.push_back(SelectSeenUnits(surface, scene.ViewCamera, division, ranks));
-    }
+    selected.push_back(
+      SelectSeenUnits(surface, scene.ViewCamera, division, this->Ranks.GetCount()));
   }
   if (lightRays == LightRays::ToLights && !bounds.IsEmpty())
   {
@@ -322,18 +320,29 @@ void DistributedScene::Exchange(Scene& scene, LightRays lightRays)
   const bool needsAll = lightRays == LightRays::All;
   const ImageDivision division = DivideImage(scene, needsAll, this->Ranks);
   this->Regions = division.GetRegions(this->Ranks.GetRank());
-  std::vector<std::vector<Units>> selected = this->Select(scene, division, lightRays, bounds);
+  const std::size_t ranks = static_cast<std::size_t>(this->Ranks.GetCount());
+  const bool sendsAll = needsAll || (lightRays == LightRays::ToLights && ranks == 1);
+  std::vector<std::vector<Units>> selected;
+  if (!sendsAll)
+  {
+    selected = this->Select(scene, division, lightRays, bounds);
+  }
   long long bytes = 0;
   SurfaceMessages messages(this->Ranks.GetCount());
   for (std::size_t i = 0; i < scene.Surfaces.size(); ++i)
   {
-    bytes += static_cast<long long>(CountBytes(scene.Surfaces[i]));
-    for (std::size_t rank = 0; rank < selected[i].size(); ++rank)
+    Surface& surface = scene.Surfaces[i];
+    bytes += static_cast<long long>(CountBytes(surface));
+    const Units all = sendsAll ? ListUnits(surface) : Units();
+    for (std::size_t rank = 0; rank < ranks; ++rank)
     {
-      messages.Add(unitedOf[i], scene.Surfaces[i], rank, selected[i][rank]);
+      messages.Add(unitedOf[i], surface, rank, sendsAll ? all : selected[i][rank]);
     }
-    scene.Surfaces[i] = Surface(); // frees the memory
-    selected[i] = std::vector<Units>();
+    surface = Surface(); // frees the memory
+    if (!sendsAll)
+    {
+      selected[i] = std::vector<Units>();
+    }
   }
   const long long before = this->Ranks.GetReceivedBytes();
   std::vector<std::string> received =

@@ -50,7 +50,8 @@ public:
   const ExchangeCounts& GetCounts() const { return this->Counts; }
 
 private:
-  /// Returns the units of each surface of this rank that each rank needs. `bounds` are those of the whole scene.
+  /// Returns the units of each surface of this rank that each rank needs, unless for LightRays::All. `bounds`
+  /// are those of the whole scene.
   std::vector<std::vector<std::vector<std::uint32_t>>> Select(const Scene& scene,
     const ImageDivision& division, LightRays lightRays, const AxisAlignedBox& bounds);
   /// Counts the primitives of this rank and the bytes of all surfaces, of which `bytes` were this rank's.

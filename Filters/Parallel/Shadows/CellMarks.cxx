@@ -5,6 +5,8 @@
 #include "Light.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 
 namespace penumbra
 {
@@ -14,29 +16,28 @@ bool CellMarks::Range::IsEmpty() const
   return this->Low.x > this->High.x || this->Low.y > this->High.y || this->Low.z > this->High.z;
 }
 
-bool CellMarks::Range::IsLarge() const
+CellMarks::Row CellMarks::Range::GetBits() const
 {
-  const glm::ivec3 size = this->High - this->Low + 1;
-  return size.x * size.y * size.z > MostCells;
-}
-
-std::size_t CellMarks::GetIndex(glm::ivec3 cell)
-{
-  return (static_cast<std::size_t>(cell.z) * Side + cell.y) * Side + cell.x;
+  static_assert(Side == 64, "a bit for each cell");
+  return ~Row{ 0 } >> (Side - 1 - (this->High.x - this->Low.x)) << this->Low.x;
 }
 
 CellMarks::CellMarks(const AxisAlignedBox& bounds)
   : Low(bounds.Low),
-    Marks(static_cast<std::size_t>(Side) * Side * Side, 0)
+    Rows(static_cast<std::size_t>(Side) * Side, 0)
 {
   const glm::dvec3 extent = glm::dvec3(bounds.High) - this->Low;
   this->CellSize = std::max({ extent.x, extent.y, extent.z, 1e-30 }) / Side;
 }
 
+// The order of the arguments of glm::min and max makes not-a-number the bounds.
 CellMarks::Range CellMarks::GetCells(glm::dvec3 low, glm::dvec3 high)
 {
-  return { glm::ivec3(glm::clamp(glm::floor(low - Margin), 0.0, double(Side))),
-    glm::ivec3(glm::clamp(glm::floor(high + Margin), -1.0, Side - 1.0)) };
+  const glm::dvec3 side(Side);
+  const glm::dvec3 first = glm::min(side, glm::max(glm::dvec3(0.0), glm::floor(low - Margin)));
+  const glm::dvec3 last =
+    glm::max(glm::dvec3(-1.0), glm::min(side - 1.0, glm::floor(high + Margin)));
+  return { glm::ivec3(first), glm::ivec3(last) };
 }
 
 CellMarks::Range CellMarks::GetCells(const AxisAlignedBox& box) const
@@ -46,27 +47,21 @@ CellMarks::Range CellMarks::GetCells(const AxisAlignedBox& box) const
 
 void CellMarks::Mark(const AxisAlignedBox& box)
 {
-  const Range range = this->GetCells(box);
-  if (range.IsLarge())
-  {
-    this->Large.Add(box);
-  }
-  else
-  {
-    this->MarkCells(range);
-  }
+  this->MarkCells(this->GetCells(box));
 }
 
 void CellMarks::MarkCells(const Range& range)
 {
+  if (range.IsEmpty())
+  {
+    return;
+  }
+  const Row bits = range.GetBits();
   for (int z = range.Low.z; z <= range.High.z; ++z)
   {
     for (int y = range.Low.y; y <= range.High.y; ++y)
     {
-      for (int x = range.Low.x; x <= range.High.x; ++x)
-      {
-        this->Marks[GetIndex({ x, y, z })] = 1;
-      }
+      this->Rows[GetIndex(y, z)] |= bits;
     }
   }
 }
@@ -74,53 +69,60 @@ void CellMarks::MarkCells(const Range& range)
 bool CellMarks::Meet(const AxisAlignedBox& box) const
 {
   const Range range = this->GetCells(box);
-  bool isMarked = range.IsLarge();
+  if (range.IsEmpty())
+  {
+    return false;
+  }
+  const Row bits = range.GetBits();
+  bool isMarked = false;
   for (int z = range.Low.z; z <= range.High.z && !isMarked; ++z)
   {
     for (int y = range.Low.y; y <= range.High.y && !isMarked; ++y)
     {
-      for (int x = range.Low.x; x <= range.High.x && !isMarked; ++x)
-      {
-        isMarked = this->Marks[GetIndex({ x, y, z })] != 0;
-      }
+      isMarked = (this->Rows[GetIndex(y, z)] & bits) != 0;
     }
   }
   return isMarked;
 }
 
-std::string CellMarks::Write()
+std::string CellMarks::Write() const
 {
-  if (!this->Large.IsEmpty())
-  {
-    this->MarkCells(this->GetCells(this->Large));
-  }
-  std::string bits(this->Marks.size() / 8, '\0');
-  for (std::size_t i = 0; i < this->Marks.size(); ++i)
-  {
-    bits[i / 8] |= static_cast<char>(this->Marks[i] << i % 8);
-  }
+  std::string bits(this->Rows.size() * sizeof(Row), '\0');
+  std::memcpy(&bits[0], this->Rows.data(), bits.size());
   return bits;
 }
 
 void CellMarks::Add(const std::string& bits)
 {
-  for (std::size_t i = 0; i < this->Marks.size(); ++i)
+  std::vector<Row> rows(this->Rows.size(), 0);
+  bits.copy(reinterpret_cast<char*>(rows.data()), rows.size() * sizeof(Row));
+  for (std::size_t i = 0; i < rows.size(); ++i)
   {
-    this->Marks[i] |= static_cast<char>(bits.at(i / 8) >> i % 8 & 1);
+    this->Rows[i] |= rows[i];
   }
 }
 
 void CellMarks::MarkToward(const Light& light, const CellMarks& from)
 {
+  const bool isDirectional = light.Kind == Light::Kinds::Directional;
+  const glm::dvec3 toward =
+    isDirectional ? -glm::dvec3(light.Direction) : this->Locate(glm::dvec3(light.Position));
+  const bool isFinite = std::isfinite(toward.x + toward.y + toward.z);
+  if (!isFinite || (isDirectional && toward == glm::dvec3(0.0)))
+  {
+    std::fill(this->Rows.begin(), this->Rows.end(), ~Row{ 0 });
+    return;
+  }
   for (int z = 0; z < Side; ++z)
   {
     for (int y = 0; y < Side; ++y)
     {
-      for (int x = 0; x < Side; ++x)
+      const Row row = from.Rows[GetIndex(y, z)];
+      for (int x = 0; x < Side && row >> x != 0; ++x)
       {
-        if (from.Marks[GetIndex({ x, y, z })] != 0)
+        if ((row >> x & 1) != 0)
         {
-          this->MarkTowardFromCell(light, { x, y, z });
+          this->MarkTowardFromCell({ x, y, z }, toward, isDirectional);
         }
       }
     }
@@ -128,18 +130,17 @@ void CellMarks::MarkToward(const Light& light, const CellMarks& from)
 }
 
 // Rays from a cell are within half a cell of the one from its center, which is within half a cell of one of
-// the points, whose distance is one cell along an axis.
-void CellMarks::MarkTowardFromCell(const Light& light, glm::ivec3 cell)
+// the points, whose distance is one cell along an axis. After Side + 2 of them it has left the bounds.
+void CellMarks::MarkTowardFromCell(glm::ivec3 cell, glm::dvec3 light, bool isDirectional)
 {
   constexpr double Reach = 1.0;
   const glm::dvec3 center = glm::dvec3(cell) + 0.5;
-  const bool isDirectional = light.Kind == Light::Kinds::Directional;
-  const glm::dvec3 toLight = isDirectional ? -glm::dvec3(light.Direction)
-                                           : this->Locate(glm::dvec3(light.Position)) - center;
+  const glm::dvec3 toLight = isDirectional ? light : light - center;
   const glm::dvec3 size = glm::abs(toLight);
   const double length = std::max({ size.x, size.y, size.z });
   const glm::dvec3 step = toLight / std::max(length, 1e-30);
-  for (int at = 0; isDirectional || at < length + 1.0; ++at)
+  const double end = isDirectional ? Side + 2.0 : std::min(length + 1.0, Side + 2.0);
+  for (int at = 0; at < end; ++at)
   {
     const glm::dvec3 point = center + static_cast<double>(at) * step;
     const Range range = GetCells(point - Reach, point + Reach);

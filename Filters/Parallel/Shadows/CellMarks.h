@@ -6,9 +6,11 @@
 #define penumbra_CellMarks_h
 
 #include "AxisAlignedBox.h"
+#include "vtkPenumbraFiltersParallelModule.h"
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,7 +19,7 @@ namespace penumbra
 
 struct Light;
 
-class CellMarks
+class VTKPENUMBRAFILTERSPARALLEL_EXPORT CellMarks
 {
 public:
   /// `bounds` are those of the whole scene, the same on all ranks.
@@ -26,25 +28,27 @@ public:
   /// Marks the cells of a box.
   void Mark(const AxisAlignedBox& box);
 
-  /// Marks what is between the marked cells of another object and a light, its size left aside.
+  /// Marks what is between the marked cells of another object and a light, as if it had no size. Marks all cells
+  /// if the light has no finite position or no direction.
   void MarkToward(const Light& light, const CellMarks& from);
 
   /// Returns true if the box may have a part in a marked cell.
   bool Meet(const AxisAlignedBox& box) const;
 
   /// Writes the marked cells as bits.
-  std::string Write();
+  std::string Write() const;
 
   /// Marks the cells that Write() has written.
   void Add(const std::string& bits);
 
 private:
+  /// A row of cells along x has one bit for each.
+  using Row = std::uint64_t;
   static constexpr int Side = 64;
-  /// Boxes of more cells are large. They are united before they are marked, and meet any cell, which bounds
-  /// the work.
-  static constexpr int MostCells = 4096;
-  /// Margin of boxes in cells, far more than the distance of the origin of a ray from its surface.
-  static constexpr double Margin = 0.02;
+  /// Margin of boxes in cells, more than the distance of the origin of a ray from its surface. This is 1e-5 of
+  /// the largest coordinate (RayOriginOffset()), and the origin of coordinates may be at a camera from which the
+  /// scene ends at a depth of 34 diagonals (see ComputeAdvance()): 5.9e-4 of the longest side, or 0.038 cells.
+  static constexpr double Margin = 0.1;
 
   /// The cells from Low to High; none if Low > High.
   struct Range
@@ -52,10 +56,10 @@ private:
     glm::ivec3 Low, High;
 
     bool IsEmpty() const;
-    bool IsLarge() const;
+    Row GetBits() const; ///< of each of its rows, unless it is empty
   };
 
-  static std::size_t GetIndex(glm::ivec3 cell);
+  static std::size_t GetIndex(int y, int z) { return static_cast<std::size_t>(z) * Side + y; }
 
   /// Returns the position of a point in cells.
   glm::dvec3 Locate(glm::dvec3 point) const { return (point - this->Low) / this->CellSize; }
@@ -65,12 +69,11 @@ private:
   Range GetCells(const AxisAlignedBox& box) const;
 
   void MarkCells(const Range& range);
-  void MarkTowardFromCell(const Light& light, glm::ivec3 cell);
+  void MarkTowardFromCell(glm::ivec3 cell, glm::dvec3 light, bool isDirectional);
 
   glm::dvec3 Low;
   double CellSize;
-  std::vector<char> Marks;
-  AxisAlignedBox Large; ///< bounds of large boxes
+  std::vector<Row> Rows;
 };
 
 }

@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shadows/CellMarks.h"
+
+#include "Light.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace
+{
+
+using penumbra::AxisAlignedBox;
+using penumbra::CellMarks;
+using penumbra::Light;
+
+/// The bounds of 64 cells with a side of 0.25 along x.
+const AxisAlignedBox Bounds{ { -3.f, 0.f, 5.f }, { 13.f, 8.f, 17.f } };
+
+class Numbers
+{
+public:
+  float Get(float low, float high)
+  {
+    return std::uniform_real_distribution<float>(low, high)(this->Engine);
+  }
+
+  glm::vec3 GetPoint(const AxisAlignedBox& box)
+  {
+    return { this->Get(box.Low.x, box.High.x), this->Get(box.Low.y, box.High.y),
+      this->Get(box.Low.z, box.High.z) };
+  }
+
+  AxisAlignedBox GetBox(float size)
+  {
+    AxisAlignedBox box;
+    const glm::vec3 corner = this->GetPoint(Bounds);
+    box.Add(corner);
+    box.Add(glm::clamp(
+      corner + this->GetPoint({ glm::vec3(-size), glm::vec3(size) }), Bounds.Low, Bounds.High));
+    return box;
+  }
+
+private:
+  std::mt19937 Engine{ 7 };
+};
+
+AxisAlignedBox MakePoint(glm::vec3 point)
+{
+  return { point, point };
+}
+
+bool Contains(const AxisAlignedBox& box, glm::vec3 point)
+{
+  return glm::clamp(point, box.Low, box.High) == point;
+}
+
+Light MakePositional(glm::vec3 position, Light::Kinds kind = Light::Kinds::Positional)
+{
+  Light light;
+  light.Kind = kind;
+  light.Position = position;
+  return light;
+}
+
+Light MakeDirectional(glm::vec3 direction)
+{
+  Light light;
+  light.Direction = direction;
+  return light;
+}
+
+/// Lights inside and outside of the bounds, on borders, corners and centers of cells, and along axes.
+std::vector<Light> MakeLights(Numbers& numbers)
+{
+  std::vector<Light> lights{ MakePositional({ 1.f, 4.f, 9.f }), MakePositional({ 1.f, 4.1f, 9.2f }),
+    MakePositional({ 1.125f, 4.125f, 9.125f }), MakePositional(Bounds.Low),
+    MakePositional({ 5.f, 4.f, 17.1f }), MakePositional({ 1e30f, -1e20f, 0.f }),
+    MakeDirectional({ 0.f, 0.f, -1.f }), MakeDirectional({ 1.f, 0.f, 0.f }),
+    MakeDirectional(glm::normalize(glm::vec3(1.f, -1.f, 1.f))) };
+  for (int i = 0; i < 20; ++i)
+  {
+    const glm::vec3 inside = numbers.GetPoint(Bounds);
+    lights.push_back(MakePositional(inside, Light::Kinds::Spot));
+    lights.push_back(MakePositional(5.f * inside));
+    lights.push_back(
+      MakeDirectional(glm::normalize(numbers.GetPoint({ glm::vec3(-1.f), glm::vec3(1.f) }))));
+  }
+  return lights;
+}
+
+}
+
+TEST(CellMarks, MeetWhatIsBetweenBoxesAndLights)
+{
+  Numbers numbers;
+  for (const Light& light : MakeLights(numbers))
+  {
+    SCOPED_TRACE(testing::Message()
+      << light.Position.x << " " << light.Position.y << " " << light.Position.z << " direction "
+      << light.Direction.x << " " << light.Direction.y << " " << light.Direction.z);
+    for (const float size : { 0.f, 0.3f, 16.f })
+    {
+      const AxisAlignedBox box = numbers.GetBox(size);
+      CellMarks seen(Bounds);
+      seen.Mark(box);
+      CellMarks needed(Bounds);
+      needed.MarkToward(light, seen);
+      for (int i = 0; i < 3000; ++i)
+      {
+        const glm::dvec3 from = numbers.GetPoint(box);
+        const glm::dvec3 toLight = light.Kind == Light::Kinds::Directional
+          ? -30.0 * glm::dvec3(light.Direction)
+          : glm::dvec3(light.Position) - from;
+        const double most = std::min(1.0, 30.0 / glm::length(toLight));
+        const glm::vec3 between(from + most * numbers.Get(0.f, 1.f) * toLight);
+        if (Contains(Bounds, between))
+        {
+          ASSERT_TRUE(needed.Meet(MakePoint(between)))
+            << between.x << " " << between.y << " " << between.z;
+        }
+      }
+    }
+  }
+}
+
+TEST(CellMarks, DoNotMeetWhatIsFarFromRays)
+{
+  CellMarks seen(Bounds);
+  seen.Mark(MakePoint({ 1.f, 4.f, 9.f }));
+  const glm::vec3 farAside(1.f, 7.f, 13.f);
+  const glm::vec3 behind(1.f, 4.f, 8.f);
+  const glm::vec3 beyondTheLight(1.f, 4.f, 16.f);
+  CellMarks toward(Bounds);
+  toward.MarkToward(MakeDirectional({ 0.f, 0.f, -1.f }), seen);
+  EXPECT_FALSE(toward.Meet(MakePoint(farAside)));
+  EXPECT_FALSE(toward.Meet(MakePoint(behind)));
+  EXPECT_TRUE(toward.Meet(MakePoint(beyondTheLight)));
+  CellMarks near(Bounds);
+  near.MarkToward(MakePositional({ 1.f, 4.f, 14.f }), seen);
+  EXPECT_TRUE(near.Meet(MakePoint({ 1.f, 4.f, 13.f })));
+  EXPECT_FALSE(near.Meet(MakePoint(beyondTheLight)));
+  CellMarks inside(Bounds);
+  inside.MarkToward(MakePositional({ 1.125f, 4.125f, 9.125f }), seen); // the center of a cell
+  EXPECT_TRUE(inside.Meet(MakePoint({ 1.f, 4.f, 9.f })));
+  EXPECT_FALSE(inside.Meet(MakePoint({ 1.f, 4.f, 10.f })));
+}
+
+TEST(CellMarks, MarkAllForLightsAtNoFinitePlace)
+{
+  constexpr float Infinity = std::numeric_limits<float>::infinity();
+  constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
+  for (const Light& light : { MakeDirectional(glm::vec3(0.f)), MakeDirectional({ 1.f, NaN, 0.f }),
+         MakePositional({ Infinity, 0.f, 0.f }), MakePositional({ 0.f, -Infinity, Infinity }),
+         MakePositional({ 1.f, 4.f, NaN }) })
+  {
+    CellMarks seen(Bounds);
+    seen.Mark(MakePoint({ 1.f, 4.f, 9.f }));
+    CellMarks needed(Bounds);
+    needed.MarkToward(light, seen);
+    Numbers numbers;
+    for (int i = 0; i < 1000; ++i)
+    {
+      ASSERT_TRUE(needed.Meet(MakePoint(numbers.GetPoint(Bounds))));
+    }
+  }
+}
+
+TEST(CellMarks, TakeNotANumberAsTheBounds)
+{
+  const glm::vec3 nowhere(std::numeric_limits<float>::quiet_NaN());
+  CellMarks marks(Bounds);
+  marks.Mark({ nowhere, nowhere });
+  EXPECT_TRUE(marks.Meet(MakePoint(Bounds.Low)));
+  EXPECT_TRUE(marks.Meet(MakePoint(Bounds.High)));
+  EXPECT_TRUE(marks.Meet({ nowhere, nowhere }));
+}
+
+TEST(CellMarks, MeetTheSameAsAllCellsOfBoxes)
+{
+  constexpr float Cell = 0.25f;
+  Numbers numbers;
+  for (const float size : { 2.f, 5.f, 16.f })
+  {
+    int met = 0;
+    constexpr int Count = 3000;
+    for (int i = 0; i < Count; ++i)
+    {
+      const AxisAlignedBox marked = numbers.GetBox(size);
+      const AxisAlignedBox other = numbers.GetBox(size);
+      CellMarks marks(Bounds);
+      marks.Mark(marked);
+      CellMarks copy(Bounds);
+      copy.Add(marks.Write());
+      EXPECT_EQ(copy.Meet(other), marks.Meet(other));
+      const glm::vec3 gap = glm::max(marked.Low - other.High, other.Low - marked.High);
+      const float distance = std::max({ gap.x, gap.y, gap.z });
+      met += marks.Meet(other);
+      EXPECT_TRUE(marks.Meet(other) || distance > 0.f);
+      EXPECT_FALSE(marks.Meet(other) && distance > 1.3f * Cell);
+    }
+    EXPECT_GT(met, 0);
+    EXPECT_LT(met, Count);
+  }
+}
