@@ -16,7 +16,8 @@
  * page 1252, do not suffice, or the font is from a file. Spheres, tubes,
  * splats, lines with textures, wireframes without hidden lines, and renderers in other layers with
  * their text are part of the image, and so are all text and scalar bars if a 2-D actor has a
- * texture or interpolated colors. A line is hidden where its axis is.
+ * texture or interpolated colors. Lines and points that are hidden over a part of their width are
+ * polygons with the visible part, within 0.01 pixels.
  *
  * The output of the ray caster is rendered without lines and text, and is rendered again by its
  * next update. Failures are reported as errors of this object.

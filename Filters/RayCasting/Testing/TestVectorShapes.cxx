@@ -17,6 +17,7 @@
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
 #include "vtkTrivialProducer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -276,6 +277,68 @@ TEST_F(VectorFaces, CutTheWidthOfLines)
     EXPECT_NEAR(area, 80.0 * 12.0 + 80.0 * 8.0, 2.0) << format;
   }
   EXPECT_GT(this->GetStatistic("Vector/Lines"), 0.0);
+}
+
+// A line of 6 pixels that passes behind a sphere obliquely to its outline, translucent or with colors of points. Where
+// it was cut in halves and pieces, seams showed the background.
+TEST_F(VectorFaces, HaveNoSeamsInPartlyHiddenLines)
+{
+  this->Caster->BackgroundOff();
+  this->AddSphere(0.0, 0.0, 0.0, 2.0, 24)->GetProperty()->SetColor(0.2, 0.2, 0.2);
+  vtkNew<vtkLineSource> source;
+  source->SetPoint1(-6.0, 3.0, -0.3);
+  source->SetPoint2(0.0, 3.0, 1.2);
+  source->Update();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  colors->InsertNextTuple3(255.0, 255.0, 200.0);
+  colors->InsertNextTuple3(255.0, 215.0, 160.0);
+  source->GetOutput()->GetPointData()->SetScalars(colors);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(source->GetOutput());
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(producer->GetOutputPort());
+  vtkNew<vtkActor> line;
+  line->SetMapper(mapper);
+  line->GetProperty()->LightingOff();
+  line->GetProperty()->SetLineWidth(6.0);
+  this->Renderer->AddActor(line);
+  for (const double opacity : { 0.5, 1.0 })
+  {
+    line->GetProperty()->SetOpacity(opacity);
+    mapper->SetScalarVisibility(opacity == 1.0);
+    for (const char* format : { "svg", "pdf" })
+    {
+      const auto figure = Rasterize(this->Exporter, this->Folder, format);
+      EXPECT_LE(ComputeError(figure, this->Caster), PrecisionOfStrokes) << format << opacity;
+      ASSERT_EQ(figure->GetNumberOfScalarComponents(), 4);
+      // Red of pixels of the line with neighbors of nearly the same color.
+      vtkDataArray* expected = this->Caster->GetOutput()->GetPointData()->GetArray("Color");
+      vtkDataArray* actual = figure->GetPointData()->GetScalars();
+      const auto getRed = [](vtkDataArray* image, vtkIdType pixel) {
+        return image->GetComponent(pixel, 0) * image->GetComponent(pixel, 3);
+      };
+      int inside = 0;
+      double largest = 0.0;
+      for (vtkIdType i = 301; i < 219 * 300 - 1; ++i)
+      {
+        double least = 1.0;
+        for (int n = 0; n < 9; ++n)
+        {
+          least = std::min(least, getRed(expected, i + (n / 3 - 1) * 300 + n % 3 - 1));
+        }
+        if (least > 0.9 * opacity)
+        {
+          ++inside;
+          const double red = getRed(actual, i) / (255.0 * 255.0);
+          largest = std::max(largest, std::abs(red - getRed(expected, i)));
+        }
+      }
+      EXPECT_GT(inside, 300) << opacity;
+      EXPECT_LE(largest, 0.01) << format << opacity;
+    }
+    EXPECT_EQ(this->GetStatistic("Vector/Images"), 0.0);
+  }
 }
 
 TEST_F(VectorFaces, HaveLinesOfOneWidthAndColorInOneElement)

@@ -3,9 +3,9 @@
 #include "VisibleStrokes.h"
 
 #include "EdgeVisibility.h"
-#include "FaceOrder.h"
 #include "FigureText.h"
 #include "Scene.h"
+#include "StrokeStrips.h"
 #include "Surface.h"
 
 #include <algorithm>
@@ -17,12 +17,10 @@ namespace penumbra
 namespace
 {
 
-// Length in pixels of the pieces of a line, which have one color each.
-constexpr double PieceLength = 16.0;
 // Positions at which a piece of a stroke may be in front, as fractions of its length and, from its axis, of its width.
 constexpr double AlongFractions[] = { 0.5, 0.05, 0.95, 0.25, 0.75 };
 constexpr double SideFractions[] = { 0.0, -0.45, 0.45 };
-// Precision of widths in pixels. Equal widths differ by less.
+// Widths are rounded to multiples of this, in pixels, so that equal pens are joined.
 constexpr double WidthPrecision = 1e-3;
 // Distance of the tests of a side of a stroke from its axis, as a fraction of its width: inside the stroke.
 constexpr double TestedSide = 0.49;
@@ -138,7 +136,7 @@ glm::vec4 ToFigureColor(glm::vec4 color)
 {
   glm::vec4 straight =
     color.a > 0.f ? glm::vec4(glm::vec3(color) / color.a, color.a) : glm::vec4(0.f);
-  for (int c = 0; c < 3; ++c)
+  for (int c = 0; c < 4; ++c)
   {
     straight[c] = static_cast<float>(ToByte(straight[c])) / 255.f;
   }
@@ -177,13 +175,6 @@ public:
 
 private:
   using Interval = std::pair<double, double>; ///< of fractions of the length or width
-
-  /// The visible part of half of the width at a point of the axis.
-  struct Column
-  {
-    double T;      ///< fraction of the length
-    Interval Half; ///< fractions of the width from the axis
-  };
 
   double GetLength(const Interval& part) const
   {
@@ -237,26 +228,25 @@ private:
       this->AddPieces(visible);
       return;
     }
-    for (const double sign : { 1.0, -1.0 })
+    std::vector<StrokeColumn> columns;
+    double end = visible.first;
+    for (const Interval& part : whole)
     {
-      std::vector<Column> columns;
-      double end = visible.first;
-      for (const Interval& part : whole)
-      {
-        this->AppendColumns({ end, part.first }, sign, columns);
-        this->AppendWholeColumns(part, columns);
-        end = part.second;
-      }
-      this->AppendColumns({ end, visible.second }, sign, columns);
-      this->AddStrips(columns, sign);
+      this->AppendColumns({ end, part.first }, columns);
+      this->AppendWholeColumns(part, columns);
+      end = part.second;
     }
+    this->AppendColumns({ end, visible.second }, columns);
+    const auto sampleColor = [this](glm::dvec2 position) { return this->SampleColorAt(position); };
+    StrokeStrips(this->Line.From, this->Line.To, this->Line.Across, sampleColor, this->Paths)
+      .Add(columns);
   }
 
   /// Adds a part in pieces, whose colors are sampled.
   void AddPieces(const Interval& part)
   {
     const int pieces =
-      std::max(1, static_cast<int>(std::ceil(this->GetLength(part) / PieceLength)));
+      std::max(1, static_cast<int>(std::ceil(this->GetLength(part) / StrokePieceLength)));
     for (int i = 0; i < pieces; ++i)
     {
       const double begin = glm::mix(part.first, part.second, static_cast<double>(i) / pieces);
@@ -292,15 +282,19 @@ private:
         }
       }
     }
+    return this->SampleColorAt(position);
+  }
+
+  glm::vec4 SampleColorAt(glm::dvec2 position) const
+  {
     RayCounts counts;
     return ToFigureColor(this->Tracer.TraceSample(position, counts).Color);
   }
 
   /// Returns the visible part of half of the width, as fractions of the width from the axis; empty if there is none.
   /// @param sign The half: 1 or -1.
-  Interval FindHalf(double t, double sign) const
+  Interval FindHalf(double t, double sign, bool atAxis) const
   {
-    const bool atAxis = this->IsVisible(t, 0.0);
     const bool atSide = this->IsVisible(t, sign * TestedSide);
     if (atAxis == atSide)
     {
@@ -316,8 +310,28 @@ private:
     return atAxis ? Interval{ 0.0, low } : Interval{ high, 0.5 };
   }
 
-  /// Appends the visible parts of half of the width along a partly hidden part of the length.
-  void AppendColumns(const Interval& part, double sign, std::vector<Column>& columns) const
+  std::vector<Interval> FindParts(double t, bool atAxis) const
+  {
+    const Interval left = this->FindHalf(t, -1.0, atAxis);
+    const Interval right = this->FindHalf(t, 1.0, atAxis);
+    if (atAxis)
+    {
+      return { { -left.second, right.second } };
+    }
+    std::vector<Interval> parts;
+    if (left.first < left.second)
+    {
+      parts.emplace_back(-left.second, -left.first);
+    }
+    if (right.first < right.second)
+    {
+      parts.push_back(right);
+    }
+    return parts;
+  }
+
+  /// Appends columns along a partly hidden part of the length.
+  void AppendColumns(const Interval& part, std::vector<StrokeColumn>& columns) const
   {
     const double length = this->GetLength(part);
     const int steps = static_cast<int>(std::ceil(length / ColumnDistance));
@@ -325,108 +339,30 @@ private:
     {
       // The visibility changes at both ends.
       const double inside = std::clamp(static_cast<double>(i), 0.01, steps - 0.01) / steps;
-      const Interval half = this->FindHalf(glm::mix(part.first, part.second, inside), sign);
-      columns.push_back(
-        { glm::mix(part.first, part.second, static_cast<double>(i) / steps), half });
+      const double t = glm::mix(part.first, part.second, inside);
+      const bool atAxis = this->IsVisible(t, 0.0);
+      const StrokeColumn column{ glm::mix(part.first, part.second, static_cast<double>(i) / steps),
+        atAxis, this->FindParts(t, atAxis) };
+      const StrokeColumn last = columns.empty() ? column : columns.back();
+      if (last.AtAxis != atAxis && last.Parts.size() + column.Parts.size() == 3)
+      {
+        // The two sides reach the column that they part from or join.
+        columns.push_back({ atAxis ? column.T : last.T, false, (atAxis ? last : column).Parts });
+      }
+      columns.push_back(column);
     }
   }
 
   /// The same for a part that is not hidden.
-  void AppendWholeColumns(const Interval& part, std::vector<Column>& columns) const
+  void AppendWholeColumns(const Interval& part, std::vector<StrokeColumn>& columns) const
   {
-    const int steps = std::max(1, static_cast<int>(std::ceil(this->GetLength(part) / PieceLength)));
+    const int steps =
+      std::max(1, static_cast<int>(std::ceil(this->GetLength(part) / StrokePieceLength)));
     for (int i = 0; i <= steps; ++i)
     {
-      columns.push_back(
-        { glm::mix(part.first, part.second, static_cast<double>(i) / steps), { 0.0, 0.5 } });
+      columns.push_back({ glm::mix(part.first, part.second, static_cast<double>(i) / steps), true,
+        { { -0.5, 0.5 } } });
     }
-  }
-
-  /// Adds polygons of one color each.
-  void AddStrips(const std::vector<Column>& columns, double sign)
-  {
-    std::vector<Column> strip;
-    for (const Column& column : columns)
-    {
-      const bool continues = !strip.empty() && column.Half.first < strip.back().Half.second &&
-        strip.back().Half.first < column.Half.second;
-      const bool isLong =
-        continues && this->GetLength({ strip.front().T, strip.back().T }) >= PieceLength;
-      if (!continues || isLong)
-      {
-        this->AddStrip(strip, sign);
-        strip.erase(strip.begin(), isLong ? strip.end() - 1 : strip.end());
-      }
-      if (column.Half.first < column.Half.second)
-      {
-        strip.push_back(column);
-      }
-    }
-    this->AddStrip(strip, sign);
-  }
-
-  void AddStrip(const std::vector<Column>& strip, double sign)
-  {
-    if (strip.size() < 2)
-    {
-      return;
-    }
-    FigurePath path;
-    for (const Column& column : strip)
-    {
-      path.Points.push_back(this->Line.At(column.T, sign * column.Half.first));
-    }
-    for (std::size_t i = strip.size(); i-- > 0;)
-    {
-      path.Points.push_back(this->Line.At(strip[i].T, sign * strip[i].Half.second));
-    }
-    RemoveStraight(path.Points);
-    if (ComputeArea(path.Points) < 0.0)
-    {
-      std::reverse(path.Points.begin(), path.Points.end());
-    }
-    // A position between two columns.
-    const Column& before = strip[(strip.size() - 1) / 2];
-    const Column& after = strip[(strip.size() - 1) / 2 + 1];
-    const double t = 0.5 * (before.T + after.T);
-    const double side = 0.5 * std::max(before.Half.first, after.Half.first) +
-      0.5 * std::min(before.Half.second, after.Half.second);
-    RayCounts counts;
-    path.Color =
-      ToFigureColor(this->Tracer.TraceSample(this->Line.At(t, sign * side), counts).Color);
-    this->Paths.push_back(path);
-  }
-
-  /// Removes points between others on a straight line.
-  static void RemoveStraight(std::vector<glm::dvec2>& points)
-  {
-    std::vector<glm::dvec2> kept{ points.front() };
-    std::size_t last = 0;
-    const auto isStraight = [&](std::size_t end) {
-      const glm::dvec2 step = points[end] - points[last];
-      const double length = std::max(glm::length(step), 1e-9);
-      for (std::size_t i = last + 1; i < end; ++i)
-      {
-        const glm::dvec2 offset = points[i] - points[last];
-        const double along = glm::dot(offset, step) / length;
-        if (std::abs(offset.x * step.y - offset.y * step.x) > SidePrecision * length ||
-          along < 0.0 || along > length)
-        {
-          return false;
-        }
-      }
-      return true;
-    };
-    for (std::size_t i = 2; i < points.size(); ++i)
-    {
-      if (!isStraight(i))
-      {
-        last = i - 1;
-        kept.push_back(points[last]);
-      }
-    }
-    kept.push_back(points.back());
-    points = std::move(kept);
   }
 
   const CameraRayTracer& Tracer;
