@@ -13,9 +13,6 @@ namespace penumbra
 namespace
 {
 
-// Length in pixels by which opaque pieces go on below the next one: more than the diagonal of a pixel, so that none shows
-// the background at their border.
-constexpr double PieceOverlap = 1.5;
 // Distance in pixels of points of a polygon that are left out from its sides.
 constexpr double StraightPrecision = 0.01;
 // Area in square pixels of polygons that are left out.
@@ -141,7 +138,7 @@ void StrokeStrips::AddPolygon(
   }
   if (color.a == 1.f && last + 1 < strip.size())
   {
-    const double end = strip[last].T + PieceOverlap / this->Length;
+    const double end = strip[last].T + StrokePieceOverlap / this->Length;
     for (++last; last + 1 < strip.size() && strip[last].T < end; ++last)
     {
       sections.push_back(strip[last]);

@@ -254,12 +254,15 @@ private:
       FigurePath path;
       path.Width = this->Line.Width;
       path.Color = this->SampleColor({ begin, end });
+      const double overlap =
+        path.Color.a == 1.f ? StrokePieceOverlap / this->Line.GetLength() : 0.0;
+      const glm::dvec2 to = this->Line.At(std::min(end + overlap, part.second));
       if (i > 0 && path.Color == this->Paths.back().Color)
       {
-        this->Paths.back().Points.back() = this->Line.At(end);
+        this->Paths.back().Points.back() = to;
         continue;
       }
-      path.Points = { this->Line.At(begin), this->Line.At(end) };
+      path.Points = { this->Line.At(begin), to };
       this->Paths.push_back(path);
     }
   }
