@@ -7,6 +7,7 @@
 #include "Surface.h"
 
 #include "Image/LayerCompositing.h"
+#include "Import/SceneExtraction.h"
 #include "InstanceCopies.h"
 #include "Shading/Shading.h"
 #include "Statistics/Statistics.h"
@@ -30,6 +31,7 @@
 #include <cstring>
 #include <exception>
 #include <stdexcept>
+#include <utility>
 
 vtkStandardNewMacro(vtkPenumbraVectorExporter);
 
@@ -62,6 +64,36 @@ void TakeAnnotations(penumbra::Scene& scene, penumbra::Scene& all, penumbra::Vec
   {
     all = scene;
     scene.Surfaces.erase(first, scene.Surfaces.end());
+  }
+}
+
+/// Adds the text of other layers, which only an image shows: invisible, so that it can be selected and found.
+void AddTextOfLayers(vtkPenumbraRayCaster* caster, penumbra::VectorFigure& figure)
+{
+  for (const auto& find : { penumbra::FindLayersBelow, penumbra::FindLayersAbove })
+  {
+    for (vtkRenderer* layer : find(caster->GetRenderer()))
+    {
+      const penumbra::LayerRectangle part =
+        penumbra::FindLayerRectangle(caster->GetRenderer(), layer, caster->GetResolution());
+      if (std::min(part.Size[0], part.Size[1]) < 1)
+      {
+        continue;
+      }
+      penumbra::ExtractionOptions options;
+      std::copy_n(part.Size, 2, options.Resolution);
+      options.DPI = caster->GetDPI();
+      for (penumbra::OverlayShape& shape :
+        penumbra::ExtractScene(layer, options).OverlayImage.TakeShapes())
+      {
+        if (!shape.Text.empty())
+        {
+          shape.Color.a = 0.f;
+          shape.Baseline += glm::dvec2(part.Low[0], part.Low[1]);
+          figure.Shapes.push_back(std::move(shape));
+        }
+      }
+    }
   }
 }
 
@@ -222,6 +254,10 @@ penumbra::VectorFigure vtkPenumbraVectorExporter::Internals::MakeFigure(
   if (this->ImageReason.empty())
   {
     figure.Image.clear();
+  }
+  if (this->Caster->GetLayers())
+  {
+    AddTextOfLayers(this->Caster, figure);
   }
   figure.Lines = outlines;
   if (!all.Surfaces.empty())

@@ -13,7 +13,8 @@
  * The page measures Resolution * 72 / DPI points of the ray caster. Text can be selected: SVG names
  * the font (Arial, Courier or Times with substitutes), PDF uses the standard fonts Helvetica,
  * Courier and Times, and outlines under invisible text where their characters, those of Windows code
- * page 1252, do not suffice, or the font is from a file. Spheres, tubes,
+ * page 1252, do not suffice, or the font is from a file. Invisible text over the labels of cube axes,
+ * which are surfaces, and over the text of other layers can be selected, too. Spheres, tubes,
  * splats, lines with textures, wireframes without hidden lines, and renderers in other layers with
  * their text are part of the image, and so are all text and scalar bars if a 2-D actor has a
  * texture or interpolated colors. Lines and points that are hidden over a part of their width are

@@ -55,8 +55,8 @@ constexpr std::size_t MinimumOutlinesOfSampledTile = 256;
 /// Number of rays of a pixel that take as long as exact coverage at an outline in it. *Measured* with the million
 /// spheres of `./penumbra benchmark scale`.
 constexpr double RaysPerOutline = 128.0;
-/// Number of them whose outlines are cut at most. If there are more, those behind these surfaces are left out, and if
-/// that does not suffice, the tile is sampled.
+/// Largest number of shapes of a tile whose outlines are cut. If there are more, those behind the surfaces at the
+/// corners are left out, and if that does not suffice, the tile is sampled.
 constexpr std::size_t MaximumOutlinesInTile = 4096;
 
 }

@@ -29,8 +29,9 @@ constexpr float SameSiteCosine = 0.7f;
 /// along the plane.
 constexpr float SameSiteHeight = 0.5f;
 constexpr float SameSiteSlope = 0.35f;
-/// Number of samples that determine the parts of several sites in a pixel, beside the first ones, to
-/// PartTolerance or less. Their error decreases with the power 3/4 of their number.
+/// Numbers of samples, beside the first ones, that determine the parts of several sites in a pixel: the
+/// maximum up to a tolerance of light of PartTolerance, fewer above it. Their error decreases with the power
+/// 3/4 of their number.
 constexpr std::uint32_t MaximumPartSamples = 32;
 constexpr std::uint32_t MinimumPartSamples = 2;
 constexpr double PartTolerance = 0.01;

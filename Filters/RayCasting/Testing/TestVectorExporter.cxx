@@ -6,10 +6,12 @@
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
+#include "vtkBoundingBox.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkCornerAnnotation.h"
+#include "vtkCubeAxesActor.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkImageMapper.h"
@@ -18,6 +20,7 @@
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
 #include "vtkSphereSource.h"
@@ -284,6 +287,83 @@ TEST_F(VectorExporter, WritesTextOfAnnotationsOverTextures)
   this->Renderer->SetBackground(0.0, 0.0, 0.0);
   const auto figure = Rasterize(this->Exporter, this->Folder, "svg");
   EXPECT_EQ(figure->GetScalarComponentAsDouble(105, 25, 0, 0), 255.0);
+}
+
+// Labels of cube axes are polygons. Text that can be selected lies over them.
+TEST_F(VectorExporter, WritesTextOverThePolygonsOfCubeAxes)
+{
+  this->Renderer->GetActiveCamera()->Elevation(20.0);
+  vtkNew<vtkCubeAxesActor> axes;
+  axes->SetBounds(-4.0, 4.0, -4.0, 2.0, -4.0, 4.0);
+  axes->SetCamera(this->Renderer->GetActiveCamera());
+  axes->SetScreenSize(5.0);
+  axes->SetYAxisLabelVisibility(0);
+  axes->SetZAxisLabelVisibility(0);
+  this->Renderer->AddViewProp(axes);
+  const auto draw = [&](int labels) {
+    axes->SetXAxisLabelVisibility(labels);
+    this->Caster->Modified();
+    this->Caster->UpdateWholeExtent();
+    vtkNew<vtkImageData> image;
+    image->DeepCopy(this->Caster->GetOutput());
+    return vtkSmartPointer<vtkImageData>(image);
+  };
+  const vtkSmartPointer<vtkImageData> without = draw(0);
+  const vtkSmartPointer<vtkImageData> with = draw(1);
+  vtkBoundingBox labels;
+  for (vtkIdType i = 0; i < with->GetNumberOfPoints(); ++i)
+  {
+    const auto get = [i](vtkImageData* image) {
+      return image->GetPointData()->GetArray("Color")->GetComponent(i, 0);
+    };
+    if (std::abs(get(with) - get(without)) > 0.1)
+    {
+      labels.AddPoint(static_cast<double>(i % 200), static_cast<double>(i / 200), 0.0);
+    }
+  }
+  ASSERT_GT(labels.GetLength(0), 80.0);
+  const std::string svg = this->Exporter->Encode(vtkPenumbraVectorExporter::SVG);
+  const std::size_t end = svg.find(">-4.0");
+  ASSERT_NE(end, std::string::npos) << svg;
+  const std::size_t begin = svg.rfind("<text ", end);
+  const std::string element = svg.substr(begin, end - begin);
+  EXPECT_NE(element.find("fill-opacity=\"0\""), std::string::npos) << element;
+  const auto read = [&element](const std::string& name) {
+    return std::stod(element.substr(element.find(" " + name + "=\"") + name.size() + 3));
+  };
+  EXPECT_NEAR(read("x"), labels.GetMinPoint()[0], 2.0) << element;
+  EXPECT_NEAR(150.0 - read("y"), labels.GetMinPoint()[1], 2.0) << element;
+  EXPECT_NEAR(0.75 * read("font-size"), labels.GetLength(1), 2.0) << element;
+}
+
+// A layer makes the figure an image. Text that can be selected lies over it.
+TEST_F(VectorExporter, WritesTextOfOtherLayersOverTheImage)
+{
+  vtkNew<vtkRenderWindow> window;
+  window->SetSize(200, 150);
+  window->SetNumberOfLayers(2);
+  window->AddRenderer(this->Renderer);
+  vtkNew<vtkRenderer> layer;
+  layer->SetLayer(1);
+  layer->SetViewport(0.5, 0.2, 1.0, 1.0);
+  window->AddRenderer(layer);
+  vtkNew<vtkTextActor> text;
+  text->SetInput("layer");
+  text->SetPosition(10, 20);
+  layer->AddViewProp(text);
+  this->AddRectangle(-3.0, -3.0, 3.0, 3.0, 0.0);
+  this->Exporter->SetMaximumPaths(1000);
+  const std::string svg = this->Exporter->Encode(vtkPenumbraVectorExporter::SVG);
+  EXPECT_NE(this->Exporter->GetImageReason().find("layers"), std::string::npos);
+  const std::size_t end = svg.find(">layer</text>");
+  ASSERT_NE(end, std::string::npos) << svg;
+  const std::string element = svg.substr(svg.rfind("<text ", end));
+  EXPECT_EQ(element.find("<text x=\"110\" "), 0u) << element;
+  EXPECT_NEAR(std::stod(element.substr(element.find(" y=\"") + 4)), 98.0, 2.0) << element;
+  EXPECT_NE(element.find("fill-opacity=\"0\""), std::string::npos) << element;
+  this->Caster->LayersOff();
+  EXPECT_EQ(
+    this->Exporter->Encode(vtkPenumbraVectorExporter::SVG).find(">layer<"), std::string::npos);
 }
 
 // The fonts of the machine differ from VTK's in the shapes of letters. VTK rounds the distances of letters

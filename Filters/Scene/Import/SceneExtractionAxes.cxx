@@ -7,6 +7,7 @@
 
 #include "Annotation/OverlayRecorder.h"
 #include "ClassReplacement.h"
+#include "Overlay.h"
 #include "Scene.h"
 #include "SizeOnlyWindow.h"
 #include "Surface.h"
@@ -23,6 +24,7 @@
 #include "vtkProperty.h"
 #include "vtkStringArray.h"
 #include "vtkTextProperty.h"
+#include "vtkVectorText.h"
 
 #include <cmath>
 #include <memory>
@@ -35,8 +37,18 @@ namespace penumbra
 namespace
 {
 
+/// Height of tall letters above the base line, as a fraction of the font size.
+constexpr double AscenderHeight = 0.75;
+
+/// Lines and polygons of axes.
+struct RecordedPart
+{
+  DrawItem Item;
+  std::string Text; ///< that the polygons show; may be empty
+};
+
 /// Parts of the axes that this thread renders, or null.
-thread_local std::vector<DrawItem>* RecordedParts = nullptr;
+thread_local std::vector<RecordedPart>* RecordedParts = nullptr;
 
 /// Records its mapper's polygons and lines instead of rendering them.
 class RecordingActor : public vtkActor
@@ -71,7 +83,10 @@ private:
     {
       return 0;
     }
-    DrawItem item;
+    RecordedPart part;
+    auto* text = vtkVectorText::SafeDownCast(polygons->GetInputAlgorithm());
+    part.Text = text && text->GetText() ? text->GetText() : "";
+    DrawItem& item = part.Item;
     item.Data = vtkSmartPointer<vtkPolyData>::New();
     item.Data->DeepCopy(polygons->GetInput());
     item.Property = vtkSmartPointer<vtkProperty>::New();
@@ -88,7 +103,7 @@ private:
         }
       }
     }
-    RecordedParts->push_back(std::move(item));
+    RecordedParts->push_back(std::move(part));
     return 1;
   }
 };
@@ -219,6 +234,39 @@ void CopySettings(vtkCubeAxesActor* from, vtkCubeAxesActor* to)
   to->SetCenterStickyAxes(from->GetCenterStickyAxes());
 }
 
+/// Adds the text of a part to the overlay, invisible at the place of its polygons, so that it can be selected
+/// and found in vector graphics.
+void AddInvisibleText(const RecordedPart& part, Scene& scene)
+{
+  if (part.Text.empty())
+  {
+    return;
+  }
+  double bounds[6];
+  part.Item.Data->GetBounds(bounds);
+  const SceneTransform toScene(part.Item.ToWorld, scene);
+  const double lower[3] = { bounds[0], 0.0, 0.0 };
+  const double right[3] = { bounds[1], 0.0, 0.0 };
+  const double upper[3] = { bounds[0], bounds[3], 0.0 };
+  const Camera& camera = scene.ViewCamera;
+  for (const double* corner : { lower, right, upper })
+  {
+    if (!camera.Parallel && !(camera.Depth(toScene.Point(corner)) > camera.Near))
+    {
+      return;
+    }
+  }
+  OverlayShape shape;
+  shape.Text = part.Text;
+  shape.FontFamily = "Arial";
+  shape.Baseline = camera.Project(toScene.Point(lower));
+  const glm::dvec2 line = camera.Project(toScene.Point(right)) - shape.Baseline;
+  shape.Angle = glm::degrees(std::atan2(line.y, line.x));
+  shape.FontSize =
+    glm::distance(shape.Baseline, camera.Project(toScene.Point(upper))) / AscenderHeight;
+  scene.OverlayImage.AddShape(std::move(shape));
+}
+
 }
 
 bool IsCubeAxes(vtkProp* prop)
@@ -245,7 +293,7 @@ std::vector<DrawItem> MakeCubeAxes(vtkRenderer* renderer, int dpi, int firstObje
     window->SetDPI(dpi);
     window->AddRenderer(layoutRenderer);
     layoutRenderer->SetActiveCamera(renderer->GetActiveCamera());
-    std::vector<DrawItem> parts;
+    std::vector<RecordedPart> parts;
     RecordedParts = &parts;
     auto* axes = vtkCubeAxesActor::SafeDownCast(prop);
     {
@@ -267,11 +315,12 @@ std::vector<DrawItem> MakeCubeAxes(vtkRenderer* renderer, int dpi, int firstObje
     }
     RecordedParts = nullptr;
     window->RemoveRenderer(layoutRenderer);
-    for (DrawItem& part : parts)
+    for (RecordedPart& part : parts)
     {
-      part.ObjectId = firstObject;
-      part.Name = "Object " + std::to_string(firstObject);
-      items.push_back(std::move(part));
+      AddInvisibleText(part, scene);
+      part.Item.ObjectId = firstObject;
+      part.Item.Name = "Object " + std::to_string(firstObject);
+      items.push_back(std::move(part.Item));
     }
     ++firstObject;
   }

@@ -9,8 +9,8 @@ uniform float coneExponent;
 
 const float maximumOpticalDepth = 18.0; // exp(-18) is below 2e-8: the rest of the ray is invisible
 
-// Limits the angles of a view ray to the cone of a spotlight. A cone is convex, so that the ray has one
-// part in it.
+// Limits the angles of a view ray to the cone of a spotlight. A cone of less than 90 degrees is convex,
+// so that the ray has one part in it.
 vec2 clipToCone(vec2 angles, ViewRay ray, vec3 toLight)
 {
   // At the angle a, the point minus the light is lightDistance * (across + tan(a) * direction).
@@ -18,7 +18,7 @@ vec2 clipToCone(vec2 angles, ViewRay ray, vec3 toLight)
   // Its cosine with the cone's axis: amplitude * cos(a - phase).
   vec2 axis = vec2(dot(across, cone.xyz), dot(ray.direction, cone.xyz));
   float amplitude = length(axis);
-  float phase = atan(axis.y, axis.x);
+  float phase = amplitude > 1e-9 ? atan(axis.y, axis.x) : 0.0; // atan(0, 0) is undefined
   float halfWidth = acos(clamp(cone.w / max(amplitude, 1e-9), -1.0, 1.0));
   vec2 inside = clamp(vec2(phase - halfWidth, phase + halfWidth), angles.x, angles.y);
   return cone.w < -1.5 ? angles : inside;
