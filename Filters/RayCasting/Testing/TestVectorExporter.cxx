@@ -6,6 +6,7 @@
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
+#include "vtkAxesActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
@@ -351,10 +352,17 @@ TEST_F(VectorExporter, WritesTextOfOtherLayersOverTheImage)
   text->SetInput("layer");
   text->SetPosition(10, 20);
   layer->AddViewProp(text);
+  vtkNew<vtkAxesActor> axes; // as in orientation marker widgets
+  layer->AddViewProp(axes);
+  layer->ResetCamera();
   this->AddRectangle(-3.0, -3.0, 3.0, 3.0, 0.0);
   this->Exporter->SetMaximumPaths(1000);
   const std::string svg = this->Exporter->Encode(vtkPenumbraVectorExporter::SVG);
   EXPECT_NE(this->Exporter->GetImageReason().find("layers"), std::string::npos);
+  for (const char* label : { ">X</text>", ">Y</text>", ">Z</text>" })
+  {
+    EXPECT_NE(svg.find(label), std::string::npos) << label;
+  }
   const std::size_t end = svg.find(">layer</text>");
   ASSERT_NE(end, std::string::npos) << svg;
   const std::string element = svg.substr(svg.rfind("<text ", end));
