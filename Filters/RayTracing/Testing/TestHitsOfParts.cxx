@@ -181,8 +181,17 @@ TEST(RayScene, HitsInACoordinatePlaneAreIndependentOfOtherTriangles)
         Ray packet[16];
         std::fill_n(packet, 16, ray);
         Hit hits[16];
+        Hit half[8];
+        bool occluded[16];
         rays->Intersect16(packet, hits);
-        EXPECT_EQ(hits[5].IsHit(), isHit);
+        rays->Intersect8(packet, half);
+        rays->Occluded16(packet, occluded);
+        for (int lane = 0; lane < 16; ++lane)
+        {
+          EXPECT_EQ(hits[lane].IsHit(), isHit) << lane;
+          EXPECT_EQ(half[lane % 8].IsHit(), isHit) << lane;
+          EXPECT_EQ(occluded[lane], isHit) << lane;
+        }
       }
     }
   }
