@@ -76,14 +76,13 @@ void EdgeSource::SortByTiles(
   }
 }
 
-std::vector<std::uint32_t> EdgeSource::Select(
-  int tile, const std::function<bool(const ShapeBounds&)>& isHidden) const
+std::vector<std::uint32_t> EdgeSource::Select(int tile, const BoundsTest& isHidden) const
 {
   std::vector<std::uint32_t> shapes;
   for (std::size_t i = 0; i < this->GetCount(tile); ++i)
   {
     const std::uint32_t shape = this->ByTile.Get(tile)[i];
-    if (!isHidden(this->FindBounds(shape)))
+    if (!isHidden || !isHidden(this->FindBounds(shape)))
     {
       shapes.push_back(shape);
     }

@@ -37,9 +37,10 @@ public:
     return this->ByTile.GetNumberOfBins() == 0 ? 0 : this->ByTile.GetCount(tile);
   }
 
-  /// Returns the shapes in a tile, without the large ones and those for which `isHidden` is true.
-  std::vector<std::uint32_t> Select(
-    int tile, const std::function<bool(const ShapeBounds&)>& isHidden) const;
+  using BoundsTest = std::function<bool(const ShapeBounds&)>;
+
+  /// Returns the shapes in a tile, without the large ones and those for which `isHidden` is true, if it is set.
+  std::vector<std::uint32_t> Select(int tile, const BoundsTest& isHidden = {}) const;
 
   /// Appends the edges of shapes, clipped to the rectangle [low, high] enlarged by twice EdgeMargin.
   void Project(const std::vector<std::uint32_t>& shapes, glm::dvec2 low, glm::dvec2 high,

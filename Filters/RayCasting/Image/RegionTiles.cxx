@@ -227,19 +227,20 @@ void RegionTiles::UseEdges(int tile, const Use& use) const
   const glm::ivec2 last =
     glm::min(first + TileSide, glm::ivec2(scene.ViewCamera.Width, scene.ViewCamera.Height));
   std::optional<HiddenShapes> hidden;
+  double crossings = 0.0;
+  EdgeSource::BoundsTest isHidden; // not set: the bounds are not needed
   if (all >= MinimumOutlinesOfSampledTile)
   {
     hidden.emplace(scene, this->Grid, first, last);
+    isHidden = [&](const ShapeBounds& bounds) {
+      if (hidden->Add(bounds))
+      {
+        return true;
+      }
+      crossings += CountCrossings(bounds, glm::dvec2(first), glm::dvec2(last));
+      return false;
+    };
   }
-  double crossings = 0.0;
-  const auto isHidden = [&](const ShapeBounds& bounds) {
-    if (hidden && hidden->Add(bounds))
-    {
-      return true;
-    }
-    crossings += CountCrossings(bounds, glm::dvec2(first), glm::dvec2(last));
-    return false;
-  };
   std::vector<std::uint32_t> outlines = this->Outlines.Select(tile, isHidden);
   std::vector<std::uint32_t> instances = this->Instances.Select(tile, isHidden);
   const double area = static_cast<double>(last.x - first.x) * (last.y - first.y);
@@ -249,8 +250,8 @@ void RegionTiles::UseEdges(int tile, const Use& use) const
   if (hidden && all <= MaximumOutlinesInTile && !isSampled)
   {
     hidden.reset();
-    outlines = this->Outlines.Select(tile, isHidden);
-    instances = this->Instances.Select(tile, isHidden);
+    outlines = this->Outlines.Select(tile);
+    instances = this->Instances.Select(tile);
   }
   const std::size_t shapes = outlines.size() + instances.size();
   std::vector<ProjectedEdge> withOutlines;

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -243,14 +244,11 @@ TEST(RoundShapes, RejectsARadiusThatIsNotANumber)
   scene.Caster->SetGlobalWarningDisplay(1);
 }
 
-TEST(RoundShapes, GivesTheSameBitsForAnyTiling)
+/// Requests a part of an image of `width` pixels in a row, and compares it with the whole one.
+void ExpectSameBitsInPart(
+  RoundScene& scene, const std::vector<double>& whole, int width, const std::array<int, 6>& part)
 {
-  RoundScene scene(MakeCells(FiveCenters, {}), true);
-  scene.Caster->SetPointRadius(1.0); // the spheres intersect
-  const std::vector<double> whole = scene.RenderRed();
-  scene.Caster->SetNumberOfThreads(1);
-  const int part[6] = { 100, 180, 70, 150, 0, 0 };
-  scene.Caster->UpdateExtent(part);
+  scene.Caster->UpdateExtent(part.data());
   vtkImageData* image = scene.Caster->GetOutput();
   vtkDataArray* colors = image->GetPointData()->GetArray("Color");
   for (int y = part[2]; y <= part[3]; ++y)
@@ -259,9 +257,18 @@ TEST(RoundShapes, GivesTheSameBitsForAnyTiling)
     {
       int at[3] = { x, y, 0 };
       const vtkIdType id = image->ComputePointId(at);
-      ASSERT_EQ(colors->GetComponent(id, 0) * colors->GetComponent(id, 3), whole[y * Side + x]);
+      ASSERT_EQ(colors->GetComponent(id, 0) * colors->GetComponent(id, 3), whole[y * width + x]);
     }
   }
+}
+
+TEST(RoundShapes, GivesTheSameBitsForAnyTiling)
+{
+  RoundScene scene(MakeCells(FiveCenters, {}), true);
+  scene.Caster->SetPointRadius(1.0); // the spheres intersect
+  const std::vector<double> whole = scene.RenderRed();
+  scene.Caster->SetNumberOfThreads(1);
+  ExpectSameBitsInPart(scene, whole, Side, { 100, 180, 70, 150, 0, 0 });
 }
 
 TEST(RoundShapes, AreSampledWhereTubesIntersectASurface)
@@ -340,19 +347,7 @@ TEST(RoundShapes, GiveTheSameBitsForPartsOfTilesWithManyOutlines)
     scene.Caster->SetResolution(64, 64);
     scene.Caster->SetPointRadius(0.03);
     const std::vector<double> whole = scene.RenderRed();
-    const int part[6] = { 11, 37, 20, 44, 0, 0 };
-    scene.Caster->UpdateExtent(part);
-    vtkImageData* image = scene.Caster->GetOutput();
-    vtkDataArray* colors = image->GetPointData()->GetArray("Color");
-    for (int y = part[2]; y <= part[3]; ++y)
-    {
-      for (int x = part[0]; x <= part[1]; ++x)
-      {
-        int at[3] = { x, y, 0 };
-        const vtkIdType id = image->ComputePointId(at);
-        ASSERT_EQ(colors->GetComponent(id, 0) * colors->GetComponent(id, 3), whole[y * 64 + x]);
-      }
-    }
+    ExpectSameBitsInPart(scene, whole, 64, { 11, 37, 20, 44, 0, 0 });
   }
 }
 
