@@ -25,11 +25,6 @@ constexpr double MaximumTests = 1e5;
 // Depth by which edges are in front of the surfaces that they belong to, in pixel sizes.
 constexpr double EdgeOffset = 2.0;
 
-double ComputePixelSize(const Camera& camera, double depth)
-{
-  return camera.Parallel ? camera.PixelSize : camera.PixelSize * depth;
-}
-
 double ComputeDepth(const Camera& camera, const ProjectedEdge& edge, double t)
 {
   const double value = glm::mix(edge.DepthA, edge.DepthB, t);
@@ -58,6 +53,11 @@ void AddVisibleParts(const ProjectedEdge& edge, const Function& isVisible, const
   }
 }
 
+}
+
+double ComputePixelSize(const Camera& camera, double depth)
+{
+  return camera.Parallel ? camera.PixelSize : camera.PixelSize * depth;
 }
 
 std::vector<std::pair<double, double>> FindVisibleIntervals(

@@ -17,6 +17,9 @@
 namespace penumbra
 {
 
+/// Returns the side length of a pixel at a depth, in scene units.
+double ComputePixelSize(const Camera& camera, double depth);
+
 /// Returns the intervals of [0, 1] in which `isVisible` holds, for a segment of `length` pixels.
 /// Intervals shorter than half a pixel may be missed.
 std::vector<std::pair<double, double>> FindVisibleIntervals(

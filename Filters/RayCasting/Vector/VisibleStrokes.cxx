@@ -35,11 +35,6 @@ constexpr double StrokeOffset = 2.0;
 constexpr int MaximumStrokesInFront = 64;
 constexpr float HitOffset = 1e-6f;
 
-double ComputePixelSize(const Camera& camera, double depth)
-{
-  return camera.Parallel ? camera.PixelSize : camera.PixelSize * depth;
-}
-
 /// A line or point, which the scene contains as a quad of two triangles.
 struct Stroke
 {
