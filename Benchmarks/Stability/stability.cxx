@@ -12,6 +12,7 @@
 #include "vtkPNGWriter.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -36,33 +37,41 @@ std::string Number(double value)
   return text;
 }
 
-/// Concatenates images horizontally with a gap between them.
+/// Concatenates images horizontally with a gray gap between them. Every pixel becomes a square of as many
+/// pixels as make the images at least `readable` high, so that a reader can tell them apart.
 void WriteImage(const std::string& path, const std::vector<ScenarioResult>& outcomes)
 {
-  constexpr int gap = 4;
-  int width = -gap;
-  int height = 0;
+  constexpr int gap = 8;
+  constexpr int readable = 192;
+  int height = 1;
   for (const ScenarioResult& outcome : outcomes)
   {
-    width += outcome.Image.Width + gap;
     height = std::max(height, outcome.Image.Height);
   }
+  const int zoom = (readable + height - 1) / height;
+  int width = -gap;
+  for (const ScenarioResult& outcome : outcomes)
+  {
+    width += zoom * outcome.Image.Width + gap;
+  }
   vtkNew<vtkImageData> image;
-  image->SetDimensions(width, height, 1);
+  image->SetDimensions(width, zoom * height, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
-  std::fill(bytes, bytes + static_cast<std::size_t>(width) * height, 255);
+  std::fill(bytes, bytes + static_cast<std::size_t>(width) * zoom * height, 160);
   int left = 0;
   for (const ScenarioResult& outcome : outcomes)
   {
     const Frame& frame = outcome.Image;
-    for (int i = 0; i < frame.Width * frame.Height; ++i)
+    for (int y = 0; y < zoom * frame.Height; ++y)
     {
-      const double value = std::clamp(frame.Values[i], 0.0, 1.0);
-      bytes[i / frame.Width * width + left + i % frame.Width] =
-        static_cast<unsigned char>(255.0 * value + .5);
+      for (int x = 0; x < zoom * frame.Width; ++x)
+      {
+        const double value = std::clamp(frame.Values[y / zoom * frame.Width + x / zoom], 0.0, 1.0);
+        bytes[y * width + left + x] = static_cast<unsigned char>(255.0 * value + .5);
+      }
     }
-    left += frame.Width + gap;
+    left += zoom * frame.Width + gap;
   }
   vtkNew<vtkPNGWriter> writer;
   writer->SetFileName(path.c_str());
@@ -93,6 +102,14 @@ std::vector<Measured> MeasureAll(const std::string& images)
     rows.push_back(measured);
   }
   return rows;
+}
+
+/// Returns the anchor of a heading, which is in lower case.
+std::string LowerCase(std::string name)
+{
+  std::transform(name.begin(), name.end(), name.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return name;
 }
 
 void WriteMetrics(std::ostream& out, const std::vector<Measured>& rows)
@@ -138,29 +155,43 @@ void WriteWeaknesses(std::ostream& out)
     out << "| " << weakness.Source << " | " << weakness.Remedy << " |";
     for (const Scenario& row : Catalogue())
     {
-      out << (row.Source == weakness.Source ? " " + row.Name : "");
+      if (row.Source == weakness.Source)
+      {
+        out << " [" << row.Name << "](#" << LowerCase(row.Name) << ")";
+      }
     }
     out << " |\n";
   }
 }
 
+void WriteRow(std::ostream& out, const Measured& measured)
+{
+  const Scenario& row = measured.Row;
+  const auto& outcomes = measured.Outcomes;
+  out << "\n### " << row.Name << "\n\n"
+      << (row.IsKnownFailure ? "Open. " : "") << row.Scene << "; " << row.Motion << "."
+      << (row.Source.empty() ? "" : " Published weakness: " + row.Source + ".")
+      << "\n\n![](Images/Stability/" << row.Name
+      << ".png)\n\n| metric | bound | Penumbra | disabled"
+      << (row.Peer.empty() ? " |\n" : " | VTK |\n")
+      << (row.Peer.empty() ? "|---|---|---|---|\n" : "|---|---|---|---|---|\n") << "| "
+      << TextOf(row.Measured).Name << " | " << Number(row.Bound) << " | "
+      << Number(outcomes[0].Value) << " | " << Number(outcomes[1].Value) << "<br>"
+      << row.AblatedMechanism << " |";
+  if (!row.Peer.empty())
+  {
+    out << " " << Number(outcomes[2].Value) << "<br>" << row.Peer << " |";
+  }
+  out << "\n";
+}
+
 void WriteRows(std::ostream& out, const std::vector<Measured>& rows)
 {
   out << "\n## Rows\n\nImages: Penumbra, with the mechanism disabled, and VTK if it has a "
-         "comparable method.\n\n"
-         "| scenario | images | metric | bound | Penumbra | disabled | VTK |\n"
-         "|---|---|---|---|---|---|---|\n";
+         "comparable method; pixels are enlarged.\n";
   for (const Measured& measured : rows)
   {
-    const Scenario& row = measured.Row;
-    const auto& outcomes = measured.Outcomes;
-    out << "| **" << row.Name << "**" << (row.IsKnownFailure ? " (open)" : "") << "<br>"
-        << row.Scene << "; " << row.Motion << (row.Source.empty() ? "" : ".<br>" + row.Source)
-        << " | ![](Images/Stability/" << row.Name << ".png) | " << TextOf(row.Measured).Name
-        << " | " << Number(row.Bound) << " | " << Number(outcomes[0].Value) << " | "
-        << Number(outcomes[1].Value) << "<br>" << row.AblatedMechanism << " | "
-        << (row.Peer.empty() ? std::string("–") : Number(outcomes[2].Value) + "<br>" + row.Peer)
-        << " |\n";
+    WriteRow(out, measured);
   }
 }
 
@@ -172,7 +203,7 @@ void WriteDocument(const std::string& path, const std::vector<Measured>& rows)
        "Each row is a situation in which rendering methods of this kind are known to fail, with a\n"
        "metric, a bound that Penumbra keeps, and the value with one mechanism disabled, which "
        "must\n"
-       "exceed the bound. The column says what is disabled, and what is used instead.\n"
+       "exceed the bound. The column *disabled* says what is disabled, and what is used instead.\n"
        "`Testing/Stability/` holds the table and runs it as tests; `./penumbra benchmark "
        "stability`\n"
        "writes this page.\n\n"
