@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RankImages.h"
+
+#include "ForkedRanks.h"
+#include "vtkActor.h"
+#include "vtkAppendPolyData.h"
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkNew.h"
+#include "vtkPenumbraDistributedRayCaster.h"
+#include "vtkPlaneSource.h"
+#include "vtkProperty.h"
+#include "vtkSphereSource.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace
+{
+
+using namespace penumbra;
+
+}
+
+TEST(vtkPenumbraDistributedRayCaster, ReceivesWhatCastsHardShadows)
+{
+  // Spheres in a row along the light, each of which casts a shadow on those behind it.
+  const MakeData make = [](int rank, int) {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(1.5 * rank, 0.3 * (rank % 2), 0.0);
+    sphere->SetThetaResolution(70);
+    sphere->SetPhiResolution(70);
+    sphere->Update();
+    return vtkSmartPointer<vtkPolyData>(sphere->GetOutput());
+  };
+  const auto view = [&](vtkPolyData* data, bool isPositional) {
+    const vtkSmartPointer<vtkRenderer> renderer = MakeRenderer(data, KeepActor);
+    renderer->GetActiveCamera()->SetPosition(2.2, 1.0, 9.0);
+    renderer->GetActiveCamera()->SetFocalPoint(2.2, 0.0, 0.0);
+    auto* light = vtkLight::SafeDownCast(renderer->GetLights()->GetItemAsObject(0));
+    light->SetPositional(isPositional);
+    light->SetPosition(9.0, isPositional ? 0.2 : 1.0, 1.0);
+    light->SetConeAngle(180.0);
+    return renderer;
+  };
+  for (const bool isPositional : { false, true })
+  {
+    SCOPED_TRACE(isPositional);
+    const auto render = [&](Caster* caster, vtkPolyData* data, bool hasShadows) {
+      return Render(caster, {}, [&](Caster* c) {
+        c->SetRenderer(view(data, isPositional));
+        c->SetShadows(hasShadows);
+      });
+    };
+    const auto renderAll = [&](bool hasShadows) {
+      return Unpack(RunRanks(1,
+        [&](int) {
+          vtkNew<vtkAppendPolyData> append;
+          for (int rank = 0; rank < 4; ++rank)
+          {
+            append->AddInputData(vtkPolyData::SafeDownCast(make(rank, 4)));
+          }
+          append->Update();
+          return Pack(render(vtkNew<vtkPenumbraRayCaster>(), append->GetOutput(), hasShadows));
+        })[0]
+                      .Value);
+    };
+    const Image expected = renderAll(true);
+    EXPECT_NE(expected.at("Color"), renderAll(false).at("Color"));
+    double received = 0.0;
+    for (const RankResult& result : RunRanks(4, [&](int rank) {
+           return Pack(render(vtkNew<vtkPenumbraDistributedRayCaster>(),
+             vtkPolyData::SafeDownCast(make(rank, 4)), true));
+         }))
+    {
+      const Image image = Unpack(result.Value);
+      ExpectSame(image, expected);
+      EXPECT_EQ(image.count("Warning"), 0u) << image.at("Warning");
+      received += GetNumber(image, "Statistics/Exchange/SceneBytes") /
+        GetNumber(image, "Statistics/Exchange/WholeBytes");
+    }
+    EXPECT_LT(received, 1.2); // all surfaces: 1.6
+  }
+}
+
+TEST(vtkPenumbraDistributedRayCaster, MatchesOneRankWithHardShadows)
+{
+  for (const double opacity : { 1.0, 0.4 })
+  {
+    for (const double z : { 4.0, -1.0 })
+    {
+      SCOPED_TRACE(testing::Message() << opacity << " " << z);
+      ExpectSameViewsOnRanks(
+        3, MakeCoarse, [=](vtkActor* actor) { actor->GetProperty()->SetOpacity(opacity); },
+        [=](Caster* caster) {
+          caster->ShadowsOn();
+          vtkLightCollection* const lights = caster->GetRenderer()->GetLights();
+          vtkLight::SafeDownCast(lights->GetItemAsObject(0))->SetPosition(3.0, 5.0, z);
+        });
+    }
+  }
+}
+
+TEST(vtkPenumbraDistributedRayCaster, ReceivesPartOfTheScene)
+{
+  // Blocks side by side: a rank needs little more than its own.
+  const MakeData make = [](int rank, int) {
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(rank, 0.0, 0.0);
+    plane->SetPoint1(rank + 1.0, 0.0, 0.0);
+    plane->SetPoint2(rank, 4.0, 0.0);
+    plane->SetResolution(100, 400);
+    plane->Update();
+    return vtkSmartPointer<vtkPolyData>(plane->GetOutput());
+  };
+  for (const Image& image : RenderOnRanks(4, make, UseDefaults))
+  {
+    EXPECT_EQ(GetNumber(image, "Statistics/Exchange/WholePrimitives"), 4.0 * 80000.0);
+    EXPECT_LT(GetNumber(image, "Statistics/Exchange/Primitives"), 1.5 * 80000.0);
+    EXPECT_GT(GetNumber(image, "Statistics/Exchange/WholeBytes"), 320000.0 * 18.0);
+    EXPECT_LT(GetNumber(image, "Statistics/Exchange/SceneBytes"),
+      0.2 * GetNumber(image, "Statistics/Exchange/WholeBytes"));
+  }
+}
+
+TEST(vtkPenumbraDistributedRayCaster, GathersForLightWithOneWarning)
+{
+  const std::vector<Image> images = RenderOnRanks(2, MakeCoarse, [](Caster* caster) {
+    caster->AmbientOcclusionOn();
+    caster->SetTolerance(0.05);
+  });
+  EXPECT_NE(images[0].at("Warning").find("bytes"), std::string::npos);
+  EXPECT_EQ(images[1].count("Warning"), 0u);
+  EXPECT_EQ(GetNumber(images[0], "Statistics/Exchange/Primitives"),
+    GetNumber(images[0], "Statistics/Exchange/WholePrimitives"));
+}
