@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Lines and points thinner than a pixel: their intensity matches their width and length, and lines
-// have no gaps. At 72 dots per inch, widths in points are widths in pixels.
+// have no gaps. Edges of a surface keep theirs on another surface in the same plane. At 72 dots per
+// inch, widths in points are widths in pixels.
 #include "BruteForce/ImageErrors.h"
 #include "ClosedForms/ExactCoverage.h"
 #include "Scenes/TestScene.h"
@@ -10,7 +11,9 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
+#include "vtkPlaneSource.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -20,6 +23,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -74,6 +78,38 @@ std::vector<double> ComputeLineCoverage(glm::dvec2 from, glm::dvec2 to, double w
 double Energy(const Answer& answer)
 {
   return std::accumulate(answer.Colors.begin(), answer.Colors.end(), glm::dvec3(0.0)).x;
+}
+
+/// Returns a rectangle of the image, black and tilted by `slope` in y, of `columns` x `rows` polygons.
+vtkActor* AddBlackRectangle(
+  vtkRenderer* renderer, glm::dvec2 low, glm::dvec2 high, double slope, int columns, int rows)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(low.x, low.y, slope * low.y);
+  plane->SetPoint1(high.x, low.y, slope * low.y);
+  plane->SetPoint2(low.x, high.y, slope * high.y);
+  plane->SetResolution(columns, rows);
+  plane->Update();
+  vtkActor* actor = AddMesh(renderer, plane->GetOutput(), false);
+  actor->GetProperty()->SetColor(0.0, 0.0, 0.0);
+  return actor;
+}
+
+/// Returns the fractions of the intervals [i, i + 1] that are within half the width of one of
+/// `count` + 1 evenly spaced lines from `low` to `high`.
+std::vector<double> ComputeStripes(double low, double high, int count, double width)
+{
+  std::vector<double> fractions(Size, 0.0);
+  for (int line = 0; line <= count; ++line)
+  {
+    const double center = low + (high - low) * line / count;
+    for (int i = 0; i < Size; ++i)
+    {
+      fractions[i] += std::max(
+        0.0, std::min(i + 1.0, center + 0.5 * width) - std::max(i + 0.0, center - 0.5 * width));
+    }
+  }
+  return fractions;
 }
 
 class ThinLines : public testing::TestWithParam<double>
@@ -191,6 +227,58 @@ TEST_P(ThinLines, MatchExactCoverageOfPoints)
   EXPECT_LE(errors.Worst, 0.01) << "in pixel " << errors.WorstPixel % Size << ", "
                                 << errors.WorstPixel / Size;
   EXPECT_NEAR(Energy(answer), 100.0 * size * size, size * size);
+}
+
+TEST_P(ThinLines, MatchExactCoverageAsEdgesOnASurfaceInTheSamePlane)
+{
+  const double width = GetParam();
+  const glm::dvec2 low(20.3, 31.2);
+  const glm::dvec2 high(100.9, 97.6);
+  const std::vector<double> columns = ComputeStripes(low.x, high.x, 3, width);
+  const std::vector<double> rows = ComputeStripes(low.y, high.y, 2, width);
+  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+  for (const double slope : { 0.0, 0.6, 2.7 })
+  {
+    for (const double offset : { 0.0, -1.0 }) // the surface with edges is drawn last, or is shifted
+    {
+      if (offset == 0.0 && slope > 2.0)
+      {
+        continue; // half of an edge is behind so steep a surface
+      }
+      vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+      const auto addGround = [&] {
+        AddBlackRectangle(renderer, { -10.0, -10.0 }, { 140.0, 140.0 }, slope, 1, 1);
+      };
+      if (offset == 0.0)
+      {
+        addGround();
+      }
+      vtkActor* actor = AddBlackRectangle(renderer, low, high, slope, 3, 2);
+      actor->GetProperty()->EdgeVisibilityOn();
+      actor->GetProperty()->SetEdgeColor(1.0, 1.0, 1.0);
+      actor->GetProperty()->SetLineWidth(width);
+      actor->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(offset, offset);
+      if (offset != 0.0)
+      {
+        addGround();
+      }
+      LookAtImage(renderer, Size, Size);
+      renderer->GetActiveCamera()->SetPosition(0.5 * Size, 0.5 * Size, 1000.0);
+      renderer->ResetCameraClippingRange();
+      const Answer answer = Cast(renderer, Size, Size);
+      double worst = 0.0;
+      for (int j = int(low.y) + 4; j < int(high.y) - 4; ++j)
+      {
+        for (int i = int(low.x) + 4; i < int(high.x) - 4; ++i)
+        {
+          const double exact = 1.0 - (1.0 - columns[i]) * (1.0 - rows[j]);
+          worst = std::max(worst, std::abs(answer.Colors[j * Size + i].x - exact));
+        }
+      }
+      EXPECT_LE(worst, 0.01) << "slope " << slope << ", offset " << offset;
+    }
+  }
+  vtkMapper::SetResolveCoincidentTopologyToOff();
 }
 
 INSTANTIATE_TEST_SUITE_P(RayCaster, ThinLines, testing::Values(0.05, 0.2, 0.7, 1.0, 3.3));

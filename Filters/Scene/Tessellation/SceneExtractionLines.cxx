@@ -311,7 +311,7 @@ private:
     {
       shift.Slope = std::max(this->Item.Slopes->Find(a), this->Item.Slopes->Find(b));
     }
-    if (style.Single && !this->Item.PolygonOffset.IsZero())
+    if ((style.Single || style.AreEdges) && !this->Item.PolygonOffset.IsZero())
     {
       // Edges and vertices move with their polygons, of which the steepest determines the distance.
       shift.Pixels +=
