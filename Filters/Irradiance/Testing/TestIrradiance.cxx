@@ -250,7 +250,7 @@ TEST(Irradiance, HasTheErrorOfOnePanelWithThousandsOfTriangles)
       errors[divisions == 1 ? 0 : 1] =
         room.RelativeError(provider, FindVisiblePoints(rays, 7), 1500);
     }
-    EXPECT_NEAR(errors[1] / errors[0], 1.0, .2) << cached;
+    EXPECT_LE(errors[1] / errors[0], 1.2) << cached;
   }
 }
 

@@ -17,6 +17,9 @@ constexpr float Pi = glm::pi<float>();
 constexpr std::uint32_t NoEmitter = std::numeric_limits<std::uint32_t>::max();
 constexpr float BelowOne = 0x1.fffffep-1f;
 
+/// Largest distance of a corner of a parallelogram from where the others lead to expect it, relative to its diagonal.
+constexpr float ParallelogramTolerance = 1e-5f;
+
 /// Returns the probability per solid angle of a point that is uniform on a triangle.
 float TriangleDensity(const Emitter& emitter, glm::vec3 direction, float distance)
 {
@@ -39,6 +42,42 @@ glm::vec3 SampleTriangle(const Emitter& emitter, glm::vec2 u)
   const float root = std::sqrt(u.x);
   return (1.f - root) * emitter.Corners[0] + root * (1.f - u.y) * emitter.Corners[1] +
     root * u.y * emitter.Corners[2];
+}
+
+/// Returns true if two triangles are the halves of a parallelogram. Reorders their corners: the first one of
+/// each is not common, the others have opposite orders.
+bool FormParallelogram(Emitter& first, Emitter& second)
+{
+  const auto rotate = [](Emitter& emitter) {
+    std::rotate(emitter.Corners.begin(), emitter.Corners.begin() + 1, emitter.Corners.end());
+  };
+  for (int i = 0; i < 9 && first.Radius == 0.f && second.Radius == 0.f; ++i)
+  {
+    if (first.Corners[1] == second.Corners[1] && first.Corners[2] == second.Corners[2])
+    {
+      std::swap(second.Corners[1], second.Corners[2]);
+    }
+    if (first.Corners[1] == second.Corners[2] && first.Corners[2] == second.Corners[1])
+    {
+      const glm::vec3 gap =
+        first.Corners[0] + second.Corners[0] - first.Corners[1] - first.Corners[2];
+      return glm::length(gap) <=
+        ParallelogramTolerance * glm::length(first.Corners[1] - first.Corners[2]);
+    }
+    rotate(second);
+    if (i % 3 == 2)
+    {
+      rotate(first);
+    }
+  }
+  return false;
+}
+
+/// Returns the point of a half of a parallelogram at coordinates with a sum of at most 1.
+glm::vec3 SampleParallelogram(const Emitter& emitter, glm::vec2 u)
+{
+  return emitter.Corners[0] + u.x * (emitter.Corners[1] - emitter.Corners[0]) +
+    u.y * (emitter.Corners[2] - emitter.Corners[0]);
 }
 
 /// Returns a direction in the cone of a sphere, of which 1 - cosine is `height`.
@@ -96,7 +135,9 @@ EmitterTree::EmitterTree(std::vector<Emitter> emitters)
   }
 }
 
-// Splits at the median of the longest axis of the bounds.
+// Splits at the median of the longest axis of the bounds. One coordinate of the sample chooses along the longest
+// axis of all emitters, the other one along the others: neighboring emitters are as stratified as one of their
+// whole area.
 std::uint32_t EmitterTree::Build(std::size_t begin, std::size_t end, std::uint32_t parent)
 {
   const auto index = static_cast<std::uint32_t>(this->Nodes.size());
@@ -126,6 +167,8 @@ std::uint32_t EmitterTree::Build(std::size_t begin, std::size_t end, std::uint32
   {
     const glm::vec3 size = high - low;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    this->MainAxis = index == 0 ? axis : this->MainAxis;
+    node.Coordinate = axis == this->MainAxis ? 0 : 1;
     const auto key = [axis](const Emitter& emitter) {
       return std::make_pair(
         emitter.Corners[0][axis] + emitter.Corners[1][axis] + emitter.Corners[2][axis],
@@ -140,6 +183,9 @@ std::uint32_t EmitterTree::Build(std::size_t begin, std::size_t end, std::uint32
     const std::uint32_t first = this->Build(begin, middle, index);
     node.Second = this->Build(middle, end, index);
     node.Power = this->Nodes[first].Power + this->Nodes[node.Second].Power;
+    node.IsParallelogram = end - begin == 2 &&
+      this->Emitters[begin].Strength == this->Emitters[begin + 1].Strength &&
+      FormParallelogram(this->Emitters[begin], this->Emitters[begin + 1]);
   }
   this->Nodes[index] = node;
   return index;
@@ -158,6 +204,10 @@ float EmitterTree::ComputeImportance(const Node& node, glm::vec3 point, glm::vec
 float EmitterTree::ComputeFirstProbability(
   std::uint32_t node, glm::vec3 point, glm::vec3 normal) const
 {
+  if (this->Nodes[node].IsParallelogram)
+  {
+    return .5f;
+  }
   const float first = ComputeImportance(this->Nodes[node + 1], point, normal);
   const float second = ComputeImportance(this->Nodes[this->Nodes[node].Second], point, normal);
   return first + second > 0.f ? first / (first + second) : -1.f;
@@ -173,6 +223,7 @@ EmitterTree::Sample EmitterTree::SampleDirection(
   }
   std::uint32_t node = 0;
   float probability = 1.f;
+  bool isInParallelogram = false;
   while (!this->Nodes[node].IsLeaf())
   {
     const float first = this->ComputeFirstProbability(node, point, normal);
@@ -180,8 +231,23 @@ EmitterTree::Sample EmitterTree::SampleDirection(
     {
       return sample;
     }
-    const bool isFirst = u.x < first;
-    u.x = std::min(isFirst ? u.x / first : (u.x - first) / (1.f - first), BelowOne);
+    if (this->Nodes[node].IsParallelogram)
+    {
+      // The first half has the corner (0, 0), the second one the opposite corner.
+      probability *= .5f;
+      node = node + 1;
+      if (u.x + u.y > 1.f)
+      {
+        u = 1.f - u;
+        node = node + 1;
+      }
+      isInParallelogram = true;
+      break;
+    }
+    float& coordinate = u[this->Nodes[node].Coordinate];
+    const bool isFirst = coordinate < first;
+    coordinate =
+      std::min(isFirst ? coordinate / first : (coordinate - first) / (1.f - first), BelowOne);
     probability *= isFirst ? first : 1.f - first;
     node = isFirst ? node + 1 : this->Nodes[node].Second;
   }
@@ -202,7 +268,8 @@ EmitterTree::Sample EmitterTree::SampleDirection(
   }
   else
   {
-    const glm::vec3 to = SampleTriangle(emitter, u) - point;
+    const glm::vec3 to =
+      (isInParallelogram ? SampleParallelogram(emitter, u) : SampleTriangle(emitter, u)) - point;
     sample.Distance = glm::length(to);
     if (sample.Distance > 0.f)
     {

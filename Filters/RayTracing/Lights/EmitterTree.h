@@ -71,6 +71,8 @@ private:
     std::uint32_t Parent = 0;
     std::uint32_t Second = 0;       ///< index of the second child; the first follows the node
     std::uint32_t EmitterIndex = 0; ///< of a leaf
+    int Coordinate = 0;             ///< of a sample, chooses the child
+    bool IsParallelogram = false;   ///< its children are the halves of one
     bool IsLeaf() const { return this->Second == 0; }
   };
 
@@ -80,6 +82,7 @@ private:
   float ComputeFirstProbability(std::uint32_t node, glm::vec3 point, glm::vec3 normal) const;
 
   std::vector<Emitter> Emitters;
+  int MainAxis = 0;                  ///< of the first split
   std::vector<Node> Nodes;           ///< depth first
   std::vector<std::uint32_t> Leaves; ///< node of each emitter
   /// Index of the emitter of each primitive, by surface; empty for surfaces that do not emit.

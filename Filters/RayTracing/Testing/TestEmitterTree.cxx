@@ -171,6 +171,35 @@ TEST(EmitterTree, ReturnsTheDensityOfItsSamples)
   EXPECT_NEAR(angle / reference, 1.0, .01);
 }
 
+TEST(EmitterTree, SamplesASubdividedPanelAsWellAsAWholeOne)
+{
+  double errors[2];
+  for (const int i : { 0, 1 })
+  {
+    Scene scene;
+    AddGrid(scene, { -.5f, -.3f, 1.f }, { .9f, 0.f, 0.f }, { 0.f, .6f, 0.f }, i == 0 ? 1 : 30);
+    MakeEmitter(scene, glm::vec3(1.f));
+    const EmitterTree tree(FindEmissiveSurfaces(scene, 0.0, 0).Bright);
+    constexpr std::uint32_t Samples = 16;
+    constexpr std::uint32_t Trials = 400;
+    double squares = 0.0;
+    for (std::uint32_t seed = 0; seed < Trials; ++seed)
+    {
+      const OwenSobolSequence samples(seed);
+      double sum = 0.0;
+      for (std::uint32_t k = 0; k < Samples; ++k)
+      {
+        const EmitterTree::Sample sample = tree.SampleDirection(glm::vec3(0.f), Up, samples.At(k));
+        sum += sample.Direction.z / sample.Density / Samples;
+      }
+      squares += std::pow(sum - BelowRectangle(-.5, .4, -.3, .3, 1.0), 2.0) / Trials;
+    }
+    errors[i] = std::sqrt(squares);
+  }
+  EXPECT_LT(errors[0], .002);
+  EXPECT_LT(errors[1], 1.2 * errors[0]);
+}
+
 TEST(EmitterTree, IgnoresEmittersWithoutLight)
 {
   Emitter emitter;
