@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ObjectNames.h"
 
+#include "CollectionItems.h"
+
 #include "Scene/SceneBuilder.h"
 
 #include "vtkActor.h"
@@ -25,10 +27,7 @@ namespace
 std::vector<std::string> FindNames(vtkRenderer* renderer)
 {
   std::vector<std::string> names;
-  vtkCollectionSimpleIterator cookie;
-  vtkActorCollection* const actors = renderer->GetActors();
-  actors->InitTraversal(cookie);
-  while (vtkActor* actor = actors->GetNextActor(cookie))
+  for (vtkActor* actor : GetItems<vtkActor>(renderer->GetActors()))
   {
     vtkDataObject* data =
       actor->GetMapper() ? actor->GetMapper()->GetInputDataObject(0, 0) : nullptr;

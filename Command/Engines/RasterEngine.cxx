@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "CollectionItems.h"
 #include "Engine.h"
 
 #include "Files/ImageFiles.h"
@@ -105,9 +106,7 @@ vtkPenumbraTemporalSSAOPass* AddOcclusion(vtkRenderer* renderer, const RenderOpt
 
 bool HasSceneLight(vtkRenderer* renderer)
 {
-  vtkCollectionSimpleIterator cookie;
-  renderer->GetLights()->InitTraversal(cookie);
-  while (vtkLight* light = renderer->GetLights()->GetNextLight(cookie))
+  for (vtkLight* light : GetItems<vtkLight>(renderer->GetLights()))
   {
     if (!light->LightTypeIsHeadlight())
     {

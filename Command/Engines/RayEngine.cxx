@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "CollectionItems.h"
 #include "Engine.h"
 
 #include "Files/FileExtension.h"
@@ -87,11 +88,7 @@ void RestoreCellIds(vtkImageData* image, vtkRenderer* renderer)
   const auto cells = vtkSmartPointer<vtkDataArray>::Take(extracted->NewInstance());
   cells->DeepCopy(extracted);
   std::vector<vtkDataArray*> originals;
-  // VTK 9.2 fills the collection again in each call of GetActors().
-  vtkActorCollection* const actors = renderer->GetActors();
-  vtkCollectionSimpleIterator cookie;
-  actors->InitTraversal(cookie);
-  while (vtkActor* actor = actors->GetNextActor(cookie))
+  for (vtkActor* actor : GetItems<vtkActor>(renderer->GetActors()))
   {
     originals.push_back(actor->GetMapper()->GetInput()->GetCellData()->GetArray(OriginalCellIds));
   }

@@ -5,11 +5,13 @@
 // vtkGLTFImporter their materials.
 #include "Appearance.h"
 
+#include "CollectionItems.h"
 #include "Files/TemporaryFile.h"
 #include "ImporterScene.h"
 #include "Processes/MessageLog.h"
 
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -17,6 +19,7 @@
 #include "vtkGLTFImporter.h"
 #include "vtkInformation.h"
 #include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
@@ -100,7 +103,7 @@ void TransformTangents(vtkDataSet* data)
 
 /// Returns the actor of each data set; empty if they do not fit each other.
 std::vector<vtkSmartPointer<vtkActor>> MatchActors(
-  vtkDataObject* data, const std::vector<vtkSmartPointer<vtkActor>>& actors)
+  vtkDataObject* data, const std::vector<vtkActor*>& actors)
 {
   std::vector<vtkDataSet*> imported;
   if (auto* root = vtkMultiBlockDataSet::SafeDownCast(data))
@@ -137,7 +140,7 @@ vtkSmartPointer<vtkDataObject> ImportGltf(
   importer->SetFileName(appearance.Copy ? appearance.Copy->Path.c_str() : path.c_str());
   vtkRenderer* renderer = RunImporter(importer);
   const std::vector<std::string> errors = TakeErrors();
-  appearance.Actors = MatchActors(data, GetActors(renderer));
+  appearance.Actors = MatchActors(data, GetItems<vtkActor>(renderer->GetActors()));
   if (appearance.Actors.empty())
   {
     appearance.Warnings.push_back("its materials cannot be read" +
@@ -145,7 +148,7 @@ vtkSmartPointer<vtkDataObject> ImportGltf(
       "; the surfaces are drawn without them");
     return data;
   }
-  appearance.Lights = GetLights(renderer);
+  appearance.Lights = GetItems<vtkLight, vtkSmartPointer<vtkLight>>(renderer->GetLights());
   for (vtkIdType i = 0; i < importer->GetNumberOfCameras(); ++i)
   {
     appearance.Cameras.push_back(importer->GetCamera(static_cast<unsigned int>(i)));

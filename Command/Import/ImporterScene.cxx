@@ -4,11 +4,7 @@
 
 #include "SizeOnlyWindow.h"
 
-#include "vtkActor.h"
-#include "vtkActorCollection.h"
 #include "vtkImporter.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkNew.h"
 
 namespace penumbra
@@ -22,32 +18,6 @@ vtkRenderer* RunImporter(vtkImporter* importer)
   importer->SetRenderWindow(window);
   importer->Update();
   return importer->GetRenderer();
-}
-
-std::vector<vtkSmartPointer<vtkActor>> GetActors(vtkRenderer* renderer)
-{
-  std::vector<vtkSmartPointer<vtkActor>> actors;
-  // VTK 9.2 fills the collection again in each call.
-  vtkActorCollection* const collection = renderer->GetActors();
-  vtkCollectionSimpleIterator cookie;
-  collection->InitTraversal(cookie);
-  while (vtkActor* actor = collection->GetNextActor(cookie))
-  {
-    actors.emplace_back(actor);
-  }
-  return actors;
-}
-
-std::vector<vtkSmartPointer<vtkLight>> GetLights(vtkRenderer* renderer)
-{
-  std::vector<vtkSmartPointer<vtkLight>> lights;
-  vtkCollectionSimpleIterator cookie;
-  renderer->GetLights()->InitTraversal(cookie);
-  while (vtkLight* light = renderer->GetLights()->GetNextLight(cookie))
-  {
-    lights.emplace_back(light);
-  }
-  return lights;
 }
 
 }

@@ -5,13 +5,7 @@
 #ifndef penumbra_ImporterScene_h
 #define penumbra_ImporterScene_h
 
-#include "vtkSmartPointer.h"
-
-#include <vector>
-
-class vtkActor;
 class vtkImporter;
-class vtkLight;
 class vtkRenderer;
 
 namespace penumbra
@@ -19,11 +13,6 @@ namespace penumbra
 
 /// Runs `importer` and returns the renderer that it fills. The importer keeps it alive.
 vtkRenderer* RunImporter(vtkImporter* importer);
-
-/// Returns the actors of `renderer` in the order of their creation.
-std::vector<vtkSmartPointer<vtkActor>> GetActors(vtkRenderer* renderer);
-
-std::vector<vtkSmartPointer<vtkLight>> GetLights(vtkRenderer* renderer);
 
 }
 #endif

@@ -4,6 +4,7 @@
 // Surfaces and appearance of 3DS and VRML files, which VTK's importers read.
 #include "Appearance.h"
 
+#include "CollectionItems.h"
 #include "ImporterScene.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
@@ -11,8 +12,10 @@
 #include "vtk3DS.h"
 #include "vtk3DSImporter.h"
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
@@ -88,7 +91,7 @@ vtkSmartPointer<vtkDataObject> Import(
   TakeErrors();
   vtkRenderer* renderer = RunImporter(importer);
   vtkNew<vtkMultiBlockDataSet> blocks;
-  for (const vtkSmartPointer<vtkActor>& actor : GetActors(renderer))
+  for (vtkActor* actor : GetItems<vtkActor>(renderer->GetActors()))
   {
     const vtkSmartPointer<vtkPolyData> mesh = ExtractSurface(actor);
     if (mesh && mesh->GetNumberOfPoints() > 0)
@@ -107,7 +110,7 @@ vtkSmartPointer<vtkDataObject> Import(
     throw CommandError(
       BadInput, path + ": the file is damaged or not " + format + ": " + errors.front());
   }
-  appearance.Lights = GetLights(renderer);
+  appearance.Lights = GetItems<vtkLight, vtkSmartPointer<vtkLight>>(renderer->GetLights());
   return blocks;
 }
 

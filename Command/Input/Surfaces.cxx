@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces.h"
 
-#include "CurvedFaceIds.h"
 #include "DataSetValidation.h"
 #include "FileSeries.h"
 #include "Files/InputFiles.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrozenOptions.h"
 
+#include "CollectionItems.h"
 #include "Medium/MediumCoefficients.h"
 #include "Processes/CommandConstants.h"
 #include "RenderOptions.h"
@@ -49,11 +50,7 @@ void FreezeCamera(vtkCamera* camera, CameraOptions& options)
 
 void FreezeColoring(vtkRenderer* renderer, ColoringOptions& options)
 {
-  // VTK 9.2 fills the collection again in each call of GetActors().
-  vtkActorCollection* const actors = renderer->GetActors();
-  vtkCollectionSimpleIterator cookie;
-  actors->InitTraversal(cookie);
-  while (vtkActor* actor = actors->GetNextActor(cookie))
+  for (vtkActor* actor : GetItems<vtkActor>(renderer->GetActors()))
   {
     vtkMapper* mapper = actor->GetMapper();
     // Mappers with colors of vertices use the active scalars.

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "CollectionItems.h"
 #include "Options/RenderOptions.h"
 #include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"
@@ -102,10 +103,7 @@ double FindRadius(vtkActor* actor, const RenderOptions& options)
 vtkBoundingBox ComputeBounds(vtkRenderer* renderer, const RenderOptions& options)
 {
   vtkBoundingBox all;
-  vtkActorCollection* actors = renderer->GetActors();
-  vtkCollectionSimpleIterator cookie;
-  actors->InitTraversal(cookie);
-  while (vtkActor* actor = actors->GetNextActor(cookie))
+  for (vtkActor* actor : GetItems<vtkActor>(renderer->GetActors()))
   {
     vtkBoundingBox bounds(actor->GetBounds());
     if (bounds.IsValid())

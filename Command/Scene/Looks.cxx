@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Looks.h"
 
+#include "CollectionItems.h"
 #include "Options/LookOptions.h"
 #include "Options/RenderOptions.h"
 #include "SceneBuilder.h"
@@ -97,11 +98,7 @@ Vector3 GetUp(const RenderOptions& options)
 template <typename Visitor>
 void ForEachPoint(vtkRenderer* renderer, const Visitor& visit)
 {
-  // VTK 9.2 fills the collection again in each call of GetActors().
-  vtkActorCollection* const actors = renderer->GetActors();
-  vtkCollectionSimpleIterator cookie;
-  actors->InitTraversal(cookie);
-  while (vtkActor* actor = actors->GetNextActor(cookie))
+  for (vtkActor* actor : GetItems<vtkActor>(renderer->GetActors()))
   {
     vtkDataSet* mesh = actor->GetMapper()->GetInput();
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Materials.h"
 
+#include "CollectionItems.h"
+
 #include "Options/RenderOptions.h"
 
 #include "vtkActor.h"
@@ -122,11 +124,7 @@ vtkSmartPointer<vtkActor> MakeActor(
 void RemoveMaterialsOfColored(
   vtkRenderer* renderer, const RenderOptions& options, double unitsPerPoint)
 {
-  // VTK 9.2 fills the collection again in each call of GetActors().
-  vtkActorCollection* const actors = renderer->GetActors();
-  vtkCollectionSimpleIterator cookie;
-  actors->InitTraversal(cookie);
-  while (vtkActor* actor = actors->GetNextActor(cookie))
+  for (vtkActor* actor : GetItems<vtkActor>(renderer->GetActors()))
   {
     const int mode = actor->GetMapper()->GetScalarMode();
     if (mode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA || mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA)

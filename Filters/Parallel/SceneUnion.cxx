@@ -49,8 +49,7 @@ Summary::Summary(const Surface& surface, int rank, std::size_t index)
   }
   this->Traits.PositionBounds = ComputePositionBounds(surface);
   this->Traits.DrawnBounds = ComputeDrawnBounds(surface);
-  this->Traits.Primitives =
-    surface.Instances ? surface.Triangles.size() + surface.Instances->GetCount() : this->Count;
+  this->Traits.Primitives = surface.GetNumberOfStoredPrimitives();
   this->Traits.HasTriangles = !surface.Triangles.empty();
   this->Traits.IsTranslucent = surface.IsTranslucent();
   this->Traits.IsUnsteady = HasUnsteadyNormals(surface);

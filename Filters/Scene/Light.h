@@ -35,11 +35,12 @@ struct Light
   /// if this is the only light.
   bool Headlight = false;
 
-  /// Returns true if the light casts penumbrae.
+  /// Returns true if the light is not a point or a direction.
   bool HasSize() const
   {
     return (this->Kind == Kinds::Directional ? this->AngularRadius : this->Radius) > 0.f;
   }
+  bool CastsPenumbra() const { return this->CastsShadow && this->HasSize(); }
 };
 
 }

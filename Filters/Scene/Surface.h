@@ -27,7 +27,7 @@ struct WholeSurface
 {
   AxisAlignedBox PositionBounds; ///< of the positions, if it has triangles; see CoincidentSurfaces
   AxisAlignedBox DrawnBounds;    ///< of the primitives
-  std::size_t Primitives = 0;    ///< number; of Instances, that of instances and triangles
+  std::size_t Primitives = 0;    ///< number of those stored
   bool HasTriangles = false;     ///< not those of Instances without an instance
   bool IsTranslucent = false;    ///< see Surface::IsTranslucent()
   bool MayCoincideWithItself = false; ///< see CoincidentSurfaces
@@ -85,8 +85,7 @@ struct Surface
   std::shared_ptr<const Texture> ColorTexture;
   std::vector<glm::vec2> ColorCoordinates; ///< per position, if ColorTexture is set
 
-  /// Texture of the actor. It multiplies the lit color and the opacity.
-  std::shared_ptr<const Texture> LitTexture;
+  std::shared_ptr<const Texture> LitTexture; ///< of the actor; multiplies lit color and opacity
   /// Texture of a physically based material. It multiplies DiffuseColor and the opacity.
   std::shared_ptr<const Texture> BaseColorTexture;
   /// Other textures of a physically based material; null if there are none.
@@ -126,9 +125,14 @@ struct Surface
 
   bool IsTranslucent() const;
 
-  /// Returns true if the surface consists of spheres or tubes.
-  bool IsRound() const { return !this->Radii.empty(); }
+  bool IsRound() const { return !this->Radii.empty(); } ///< spheres or tubes
   std::size_t GetNumberOfPrimitives() const;
+  /// Returns the number of primitives in memory: of Instances, that of instances and triangles.
+  std::size_t GetNumberOfStoredPrimitives() const
+  {
+    return this->Instances ? this->Triangles.size() + this->Instances->GetCount()
+                           : this->GetNumberOfPrimitives();
+  }
   /// Returns the indices of the positions of a triangle and of their attributes. Those of a sphere
   /// or tube are its ends; the second and third are equal.
   glm::uvec3 GetCorners(std::uint32_t primitive) const;
@@ -142,15 +146,11 @@ struct Surface
   glm::vec3 GetTriangleNormal(std::uint32_t primitive) const;
   /// Returns the index of a triangle in Triangles and TriangleNormals.
   std::size_t GetStoredTriangle(std::uint32_t primitive) const;
-  /// Returns the index of the instance of a triangle; 0 without Instances.
-  std::size_t GetInstance(std::uint32_t primitive) const;
-  /// Returns the cell of the input of a triangle.
+  std::size_t GetInstance(std::uint32_t primitive) const; ///< 0 without Instances
   std::uint32_t GetCellId(std::uint32_t primitive) const;
-  /// Returns true if each triangle has a color.
   bool HasTriangleColors() const { return this->Instances || !this->CellColors.empty(); }
   glm::u8vec4 GetTriangleColor(std::uint32_t primitive) const;
-  /// Returns the radius around a position; 0 if the surface consists of triangles.
-  float GetRadius(std::size_t position) const;
+  float GetRadius(std::size_t position) const; ///< 0 if the surface consists of triangles
   RoundShape GetRoundShape(std::uint32_t primitive) const;
 
   /// Returns the geometric normal of a triangle (not of a sphere or tube), not normalized. It is
@@ -158,7 +158,7 @@ struct Surface
   glm::vec3 ComputeNormal(std::uint32_t triangle) const;
 };
 
-/// A surface of a scene that was replaced.
+/// A surface that was replaced.
 struct SurfaceChange
 {
   std::uint32_t Surface;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestScene.h"
 
+#include "CollectionItems.h"
+
 #include "ClosedForms/ExactCoverage.h"
 
 #include "vtkActor.h"
@@ -196,10 +198,7 @@ void Append(BruteForceScene& scene, vtkActor* actor)
 BruteForceScene BruteForceOf(vtkRenderer* renderer, int width, int height)
 {
   BruteForceScene scene;
-  vtkActorCollection* actors = renderer->GetActors();
-  vtkCollectionSimpleIterator each;
-  actors->InitTraversal(each);
-  while (vtkActor* actor = actors->GetNextActor(each))
+  for (vtkActor* actor : GetItems<vtkActor>(renderer->GetActors()))
   {
     scene.Lighting = actor->GetProperty()->GetLighting();
     const double* color = actor->GetProperty()->GetDiffuseColor();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LayerCompositing.h"
 
+#include "CollectionItems.h"
+
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -21,17 +23,9 @@ namespace
 
 bool HasVisibleProps(vtkRenderer* renderer)
 {
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator position;
-  props->InitTraversal(position);
-  while (vtkProp* prop = props->GetNextProp(position))
-  {
-    if (prop->GetVisibility())
-    {
-      return true;
-    }
-  }
-  return false;
+  const std::vector<vtkProp*> props = GetItems<vtkProp>(renderer->GetViewProps());
+  return std::any_of(
+    props.begin(), props.end(), [](vtkProp* prop) { return prop->GetVisibility() != 0; });
 }
 
 /// Returns the other renderers of the window of `renderer` that are drawn, overlap it and satisfy
@@ -50,10 +44,7 @@ std::vector<vtkRenderer*> FindOverlapping(vtkRenderer* renderer, const Predicate
     const double* b = other->GetViewport();
     return a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
   };
-  vtkCollectionSimpleIterator position;
-  vtkRendererCollection* renderers = window->GetRenderers();
-  renderers->InitTraversal(position);
-  while (vtkRenderer* other = renderers->GetNextRenderer(position))
+  for (vtkRenderer* other : GetItems<vtkRenderer>(window->GetRenderers()))
   {
     if (other != renderer && other->GetDraw() && overlaps(other) && accepts(other))
     {

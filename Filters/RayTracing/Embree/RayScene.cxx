@@ -97,12 +97,11 @@ std::size_t CountPrimitives(const Scene& scene)
   std::size_t count = 0;
   for (const Surface& surface : scene.Surfaces)
   {
-    count += surface.Whole ? surface.Whole->Primitives
-      : surface.Instances  ? surface.Triangles.size() + surface.Instances->GetCount()
-                           : surface.GetNumberOfPrimitives();
+    count += surface.Whole ? surface.Whole->Primitives : surface.GetNumberOfStoredPrimitives();
   }
   return count;
 }
+
 /// Returns an id that is unique in this process, starting at 1.
 std::uint64_t NextId()
 {

@@ -24,10 +24,7 @@ namespace
 /// Returns true if other ranks of a parallel program have the rest of a surface.
 bool IsPart(const Surface& surface)
 {
-  const std::size_t count = surface.Instances
-    ? surface.Triangles.size() + surface.Instances->GetCount()
-    : surface.GetNumberOfPrimitives();
-  return surface.Whole && count < surface.Whole->Primitives;
+  return surface.Whole && surface.GetNumberOfStoredPrimitives() < surface.Whole->Primitives;
 }
 
 /// Returns true if the bounding box of three points, enlarged by `radius`, contains `center`.
@@ -160,7 +157,7 @@ std::vector<std::string> DescribeLightOverlaps(const Scene& scene)
   std::vector<std::string> sentences;
   for (const Light& light : scene.Lights)
   {
-    if (light.Kind == Light::Kinds::Positional && light.HasSize() && light.CastsShadow &&
+    if (light.Kind == Light::Kinds::Positional && light.CastsPenumbra() &&
       std::any_of(scene.Surfaces.begin(), scene.Surfaces.end(),
         [&light](const Surface& surface) { return Overlaps(surface, light); }))
     {

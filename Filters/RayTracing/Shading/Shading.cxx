@@ -98,8 +98,8 @@ Shading::Shading(const RayScene& scene, bool shadows)
   this->Shadows = shadows &&
     std::any_of(lights.begin(), lights.end(), [](const Light& light) { return light.CastsShadow; });
   this->Penumbrae = this->Shadows &&
-    std::any_of(lights.begin(), lights.end(),
-      [](const Light& light) { return light.CastsShadow && light.HasSize(); });
+    std::any_of(
+      lights.begin(), lights.end(), [](const Light& light) { return light.CastsPenumbra(); });
   EnvironmentLight* environment = scene.GetScene().EnvironmentReflections.get();
   for (const Surface& surface : scene.GetScene().Surfaces)
   {

@@ -4,6 +4,7 @@
 
 #include "AnnotationCopies.h"
 #include "ChartPainter.h"
+#include "CollectionItems.h"
 #include "Features/SceneFeatures.h"
 #include "OverlayRecorder.h"
 #include "Scene.h"
@@ -145,10 +146,8 @@ void DrawAnnotation(
 bool DrawOverlays(vtkPropCollection* props, vtkRenderer* renderer, int dpi,
   const DepthQuery& findDepths, Scene& scene)
 {
-  vtkCollectionSimpleIterator position;
   bool drawn = true;
-  props->InitTraversal(position);
-  while (vtkProp* prop = props->GetNextProp(position))
+  for (vtkProp* prop : GetItems<vtkProp>(props))
   {
     if (!prop->GetVisibility())
     {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurvedCells.h"
 
-#include "CurvedFaceIds.h"
 #include "SurfaceGeometry.h"
 
 #include "vtkCell.h"

@@ -16,6 +16,11 @@ class vtkPolyData;
 namespace penumbra
 {
 
+/// Name of the cell array of a subdivided surface that holds the face of a cell, or the cell in two
+/// dimensions, of which each triangle is a part. No edges are drawn between parts of one face. The name
+/// is the one that vtkRecoverGeometryWireframe requires before VTK 9.3.
+constexpr const char* CurvedFaceIds = "vtkOriginalFaceIds";
+
 /// Returns the surface of a grid with curved cells. These are subdivided until the triangles deviate
 /// from the cells by at most 1e-4 of the diagonal of the bounds, unless there would be too many of
 /// them. Returns null if `data` has no curved cells. The cell array `cellIds`, if not null, holds the

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DepthOffsets.h"
 
+#include "CollectionItems.h"
 #include "Scene.h"
 
 #include "vtkActor.h"
@@ -116,10 +117,7 @@ double ComputeDepthUnit(vtkRenderer* renderer, const double bounds[6], const Sce
 std::vector<double> GetDepthOffsetSettings(vtkRenderer* renderer)
 {
   std::vector<double> settings;
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator position;
-  props->InitTraversal(position);
-  while (vtkProp* prop = props->GetNextProp(position))
+  for (vtkProp* prop : GetItems<vtkProp>(renderer->GetViewProps()))
   {
     if (!prop->GetVisibility())
     {

@@ -3,6 +3,7 @@
 #include "SceneExtraction.h"
 
 #include "Annotation/SceneExtractionOverlay.h"
+#include "CollectionItems.h"
 #include "DepthOffsets.h"
 #include "Features/SceneFeatures.h"
 #include "Features/UnsupportedFeatures.h"
@@ -117,23 +118,10 @@ void ComputeSceneBounds(vtkRenderer* renderer, const std::vector<DrawItem>& item
   }
 }
 
-std::vector<vtkProp*> GetProps(vtkRenderer* renderer)
-{
-  std::vector<vtkProp*> result;
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator position;
-  props->InitTraversal(position);
-  while (vtkProp* prop = props->GetNextProp(position))
-  {
-    result.push_back(prop);
-  }
-  return result;
-}
-
 /// Returns true if `renderer` shows a prop whose shape depends on the camera.
 bool HasPropsOfView(vtkRenderer* renderer)
 {
-  const std::vector<vtkProp*> props = GetProps(renderer);
+  const std::vector<vtkProp*> props = GetItems<vtkProp>(renderer->GetViewProps());
   return std::any_of(props.begin(), props.end(),
     [](vtkProp* prop) { return prop->GetVisibility() && (IsBillboard(prop) || IsCubeAxes(prop)); });
 }
@@ -242,7 +230,7 @@ void AddProp(const std::vector<DrawItem>& items, const ExtractionOptions& option
 std::optional<std::vector<ReadProp>> ReadChangedProps(
   vtkRenderer* renderer, const ExtractionOptions& options, const SceneRecord& record)
 {
-  const std::vector<vtkProp*> props = GetProps(renderer);
+  const std::vector<vtkProp*> props = GetItems<vtkProp>(renderer->GetViewProps());
   if (props.size() != record.Props.size())
   {
     return {};
@@ -352,7 +340,7 @@ Scene ExtractScene(
   std::vector<DrawItem> items;
   std::vector<std::size_t> ends; ///< of the items of each prop
   int nextObject = 0;
-  for (vtkProp* prop : GetProps(renderer))
+  for (vtkProp* prop : GetItems<vtkProp>(renderer->GetViewProps()))
   {
     ReadProp read = Read(renderer, prop, nextObject, options);
     std::move(read.Items.begin(), read.Items.end(), std::back_inserter(items));

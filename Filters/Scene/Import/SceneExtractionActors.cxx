@@ -3,6 +3,7 @@
 #include "SceneExtractionActors.h"
 
 #include "Annotation/SceneExtractionOverlay.h"
+#include "CollectionItems.h"
 #include "DepthOffsets.h"
 #include "Features/SceneFeatures.h"
 #include "Features/UnsupportedFeatures.h"
@@ -108,9 +109,7 @@ public:
     }
     if (vtkNew<vtkPropCollection> parts; CollectParts(prop, parts))
     {
-      vtkCollectionSimpleIterator position;
-      parts->InitTraversal(position);
-      while (vtkProp* part = parts->GetNextProp(position))
+      for (vtkProp* part : GetItems<vtkProp>(parts))
       {
         this->AddProp(part);
       }

@@ -7,6 +7,7 @@
 
 #include "Annotation/OverlayRecorder.h"
 #include "ClassReplacement.h"
+#include "CollectionItems.h"
 #include "Overlay.h"
 #include "Scene.h"
 #include "SizeOnlyWindow.h"
@@ -277,10 +278,7 @@ bool IsCubeAxes(vtkProp* prop)
 std::vector<DrawItem> MakeCubeAxes(vtkRenderer* renderer, int dpi, int firstObject, Scene& scene)
 {
   std::vector<DrawItem> items;
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator position;
-  props->InitTraversal(position);
-  while (vtkProp* prop = props->GetNextProp(position))
+  for (vtkProp* prop : GetItems<vtkProp>(renderer->GetViewProps()))
   {
     if (!prop->GetVisibility() || !IsCubeAxes(prop) || !renderer->IsActiveCameraCreated())
     {

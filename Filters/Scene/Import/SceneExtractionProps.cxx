@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionProps.h"
 
+#include "CollectionItems.h"
 #include "Scene.h"
 #include "SceneExtractionColors.h"
 
@@ -443,10 +444,7 @@ std::vector<DrawItem> MakeBillboards(
   vtkRenderer* renderer, int dpi, int firstObject, const Scene& scene)
 {
   std::vector<DrawItem> items;
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator position;
-  props->InitTraversal(position);
-  while (vtkProp* prop = props->GetNextProp(position))
+  for (vtkProp* prop : GetItems<vtkProp>(renderer->GetViewProps()))
   {
     auto* text = vtkBillboardTextActor3D::SafeDownCast(prop);
     if (!text || !text->GetVisibility())

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionSky.h"
 
+#include "CollectionItems.h"
 #include "Environment/EnvironmentLight.h"
 #include "Scene.h"
 #include "SceneExtractionColors.h"
@@ -111,10 +112,7 @@ bool IsSky(vtkProp* prop)
 
 void ExtractSky(vtkRenderer* renderer, Scene& scene)
 {
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator position;
-  props->InitTraversal(position);
-  while (vtkProp* prop = props->GetNextProp(position))
+  for (vtkProp* prop : GetItems<vtkProp>(renderer->GetViewProps()))
   {
     if (!prop->GetVisibility() || !IsSky(prop))
     {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionView.h"
 
+#include "CollectionItems.h"
 #include "Features/SceneFeatures.h"
 #include "FixedOrigin.h"
 #include "Scene.h"
@@ -424,10 +425,7 @@ Light MakeHeadlight(const Scene& scene)
 void ExtractLights(vtkRenderer* renderer, const ExtractionOptions& options,
   const glm::dmat4& distortion, Scene& scene)
 {
-  vtkLightCollection* lights = renderer->GetLights();
-  vtkCollectionSimpleIterator position;
-  lights->InitTraversal(position);
-  while (vtkLight* light = lights->GetNextLight(position))
+  for (vtkLight* light : GetItems<vtkLight>(renderer->GetLights()))
   {
     if (light->GetSwitch())
     {

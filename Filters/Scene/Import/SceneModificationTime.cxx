@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneModificationTime.h"
 
+#include "CollectionItems.h"
 #include "Light.h"
 #include "SceneExtractionBlocks.h"
 #include "SceneExtractionProps.h"
@@ -97,9 +98,7 @@ public:
     }
     vtkLightCollection* lights = renderer->GetLights();
     this->Add(lights);
-    vtkCollectionSimpleIterator position;
-    lights->InitTraversal(position);
-    while (vtkLight* light = lights->GetNextLight(position))
+    for (vtkLight* light : GetItems<vtkLight>(lights))
     {
       this->Add(light);
       this->Add(light->GetTransformMatrix());
@@ -117,9 +116,7 @@ public:
     this->AddImageOrText(prop);
     if (vtkNew<vtkPropCollection> parts; CollectParts(prop, parts))
     {
-      vtkCollectionSimpleIterator part;
-      parts->InitTraversal(part);
-      while (vtkProp* next = parts->GetNextProp(part))
+      for (vtkProp* next : GetItems<vtkProp>(parts))
       {
         this->AddProp(next);
       }
@@ -145,9 +142,7 @@ public:
     prop->InitPathTraversal();
     while (vtkAssemblyPath* path = prop->GetNextPath())
     {
-      vtkCollectionSimpleIterator position;
-      path->InitTraversal(position);
-      while (vtkAssemblyNode* node = path->GetNextNode(position))
+      for (vtkAssemblyNode* node : GetItems<vtkAssemblyNode>(path))
       {
         this->AddTransform(node->GetViewProp());
       }
@@ -431,9 +426,7 @@ vtkMTimeType GetSceneMTime(vtkRenderer* renderer)
   collector.AddView(renderer);
   vtkPropCollection* props = renderer->GetViewProps();
   collector.Add(props);
-  vtkCollectionSimpleIterator position;
-  props->InitTraversal(position);
-  while (vtkProp* prop = props->GetNextProp(position))
+  for (vtkProp* prop : GetItems<vtkProp>(props))
   {
     collector.AddProp(prop);
   }
@@ -445,9 +438,7 @@ vtkMTimeType GetGeometryMTime(vtkRenderer* renderer)
   MTimeCollector collector;
   vtkPropCollection* props = renderer->GetViewProps();
   collector.Add(props);
-  vtkCollectionSimpleIterator position;
-  props->InitTraversal(position);
-  while (vtkProp* prop = props->GetNextProp(position))
+  for (vtkProp* prop : GetItems<vtkProp>(props))
   {
     if (vtkProp3D::SafeDownCast(prop))
     {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionSegments.h"
 
-#include "CurvedFaceIds.h"
+#include "Geometry/CurvedCells.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CurvedFaceIds.h"
 #include "Geometry/CurvedCells.h"
 #include "Tessellation/SceneExtractionItem.h"
 #include "Tessellation/SceneExtractionSegments.h"

@@ -4,6 +4,8 @@
 // Compares records splatted by OpenGL with the interpolation of the cache from the same records.
 #include "vtkPenumbraIrradianceSplatPass.h"
 
+#include "CollectionItems.h"
+
 #include "../../ScreenSpace/Testing/OcclusionScene.h"
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraRayCaster.h"
@@ -176,10 +178,7 @@ void UseSky(CachedScene& scene)
   vtkNew<vtkLight> dark; // without a light VTK would create a headlight
   dark->SetIntensity(0.0);
   scene.Renderer->AddLight(dark);
-  vtkActorCollection* actors = scene.Renderer->GetActors();
-  vtkCollectionSimpleIterator position;
-  actors->InitTraversal(position);
-  while (vtkActor* actor = actors->GetNextActor(position))
+  for (vtkActor* actor : penumbra::GetItems<vtkActor>(scene.Renderer->GetActors()))
   {
     actor->GetProperty()->LightingOn();
     actor->GetProperty()->SetAmbient(0.0);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OccluderGeometry.h"
 
+#include "CollectionItems.h"
 #include "Import/SceneExtraction.h"
 #include "Import/SceneExtractionActors.h"
 #include "Import/SceneModificationTime.h"
@@ -98,12 +99,10 @@ std::string FindObstacle(vtkProp* prop)
 /// Overlays and volumes do not write depth and are skipped.
 std::string FindMissing(vtkRenderer* renderer)
 {
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator position;
-  props->InitTraversal(position);
-  int index = 0;
-  for (; vtkProp* prop = props->GetNextProp(position); ++index)
+  int index = -1;
+  for (vtkProp* prop : GetItems<vtkProp>(renderer->GetViewProps()))
   {
+    ++index;
     if (!prop->GetVisibility() || !vtkProp3D::SafeDownCast(prop) || vtkVolume::SafeDownCast(prop))
     {
       continue;
