@@ -19,22 +19,29 @@ namespace penumbra
 class ByteWriter
 {
 public:
+  /// Adds values. A list of them that ByteReader is called with, too, is the format of a message.
+  template <typename... Values>
+  void operator()(const Values&... values)
+  {
+    (this->Add(values), ...);
+  }
+
   template <typename T>
   void Add(const T& value)
   {
-    static_assert(std::is_trivially_copyable<T>::value, "bytes of a plain value");
+    static_assert(std::is_trivially_copyable<T>::value && !std::is_pointer<T>::value);
     this->AddBytes(&value, sizeof(T));
   }
 
   /// Adds the number of elements, then their bytes.
   template <typename T>
-  void AddArray(const std::vector<T>& values)
+  void Add(const std::vector<T>& values)
   {
     this->Add(static_cast<std::uint64_t>(values.size()));
     this->AddBytes(values.data(), values.size() * sizeof(T));
   }
 
-  void AddText(const std::string& text)
+  void Add(const std::string& text)
   {
     this->Add(static_cast<std::uint64_t>(text.size()));
     this->Bytes += text;
@@ -62,6 +69,12 @@ public:
 
   bool IsAtEnd() const { return this->At == this->Bytes.size(); }
 
+  template <typename... Values>
+  void operator()(Values&... values)
+  {
+    (this->Get(values), ...);
+  }
+
   template <typename T>
   void Get(T& value)
   {
@@ -78,7 +91,7 @@ public:
 
   /// Appends the elements of an array to `values`.
   template <typename T>
-  void AppendArray(std::vector<T>& values)
+  void Get(std::vector<T>& values)
   {
     const auto count = static_cast<std::size_t>(this->Get<std::uint64_t>());
     const std::size_t before = values.size();
@@ -90,18 +103,10 @@ public:
     }
   }
 
-  template <typename T>
-  std::vector<T> GetArray()
-  {
-    std::vector<T> values;
-    this->AppendArray(values);
-    return values;
-  }
-
-  std::string GetText()
+  void Get(std::string& text)
   {
     const auto size = static_cast<std::size_t>(this->Get<std::uint64_t>());
-    return { this->Skip(size), size };
+    text.assign(this->Skip(size), size);
   }
 
 private:

@@ -47,12 +47,12 @@ constexpr int PartsPerRankWithLight = 1;
 ImageDivision DivideImage(const Scene& scene, bool hasLight, RankGroup& ranks)
 {
   ByteWriter own;
-  own.AddArray(CountByTile(scene));
+  own.Add(CountByTile(scene));
   std::vector<std::vector<std::uint32_t>> counts;
   for (const std::string& message : ranks.AllGather(own.Take()))
   {
     ByteReader reader(message);
-    counts.push_back(reader.GetArray<std::uint32_t>());
+    counts.push_back(reader.Get<std::vector<std::uint32_t>>());
   }
   return { { scene.ViewCamera.Width, scene.ViewCamera.Height }, counts,
     hasLight ? PartsPerRankWithLight : PartsPerRank };
@@ -246,8 +246,8 @@ void DistributedScene::Compare(const SettingList& settings)
   ByteWriter own;
   for (const auto& [name, value] : settings)
   {
-    own.AddText(name);
-    own.AddText(value);
+    own.Add(name);
+    own.Add(value);
   }
   const std::vector<std::string> messages = this->Ranks.AllGather(own.Take());
   for (std::size_t rank = 1; rank < messages.size(); ++rank)
@@ -256,9 +256,9 @@ void DistributedScene::Compare(const SettingList& settings)
     ByteReader other(messages[rank]);
     while (!first.IsAtEnd() && !other.IsAtEnd())
     {
-      const std::string name = first.GetText();
-      const std::string value = first.GetText();
-      if (other.GetText() != name || other.GetText() != value)
+      const std::string name = first.Get<std::string>();
+      const std::string value = first.Get<std::string>();
+      if (other.Get<std::string>() != name || other.Get<std::string>() != value)
       {
         throw RankFailure("The ranks 0 and " + std::to_string(rank) + " disagree about " + name +
           ". Give all ranks the same settings.");
@@ -270,12 +270,12 @@ void DistributedScene::Compare(const SettingList& settings)
 void DistributedScene::UniteExtent(double bounds[6], double& radius)
 {
   ByteWriter own;
-  own.AddArray(std::vector<double>(bounds, bounds + 6));
+  own.Add(std::vector<double>(bounds, bounds + 6));
   own.Add(radius);
   for (const std::string& message : this->Ranks.AllGather(own.Take()))
   {
     ByteReader reader(message);
-    const auto other = reader.GetArray<double>();
+    const auto other = reader.Get<std::vector<double>>();
     radius = std::max(radius, reader.Get<double>());
     for (int axis = 0; axis < 3 && other[0] <= other[1]; ++axis)
     {
@@ -410,7 +410,7 @@ void DistributedScene::Compose(
 void DistributedScene::Deliver(const int extent[6], vtkImageData* image)
 {
   ByteWriter own;
-  own.AddArray(std::vector<int>(extent, extent + 6));
+  own.Add(std::vector<int>(extent, extent + 6));
   const std::vector<std::string> extents = this->Ranks.AllGather(own.Take());
   const long long before = this->Ranks.GetReceivedBytes();
   const std::vector<std::string> messages = this->Ranks.Exchange([&](int rank) {
@@ -418,7 +418,7 @@ void DistributedScene::Deliver(const int extent[6], vtkImageData* image)
     if (this->IsFirst() && rank > 0)
     {
       ByteReader reader(extents[rank]);
-      AddPixels(image, reader.GetArray<int>().data(), writer);
+      AddPixels(image, reader.Get<std::vector<int>>().data(), writer);
     }
     return writer.Take();
   });

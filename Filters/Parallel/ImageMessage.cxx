@@ -31,7 +31,7 @@ void VisitRows(vtkImageData* image, const int extent[6], const Visit& visit)
 
 void AddHeader(vtkDataArray* array, ByteWriter& bytes)
 {
-  bytes.AddText(array->GetName());
+  bytes.Add(std::string(array->GetName()));
   bytes.Add(array->GetDataType());
   bytes.Add(array->GetNumberOfComponents());
 }
@@ -39,7 +39,7 @@ void AddHeader(vtkDataArray* array, ByteWriter& bytes)
 /// Returns the array of the header, which it adds if there is none, with this number of tuples.
 vtkDataArray* FindArray(ByteReader& bytes, vtkIdType tuples, vtkFieldData* fields)
 {
-  const std::string name = bytes.GetText();
+  const std::string name = bytes.Get<std::string>();
   const int type = bytes.Get<int>();
   const int components = bytes.Get<int>();
   vtkDataArray* array = fields->GetArray(name.c_str());
@@ -83,7 +83,7 @@ void AddPixels(vtkImageData* image, const int extent[6], ByteWriter& bytes)
       const char* const row = GetTuple(array, first);
       rows.insert(rows.end(), row, row + count * GetTupleSize(array));
     });
-    bytes.AddArray(rows);
+    bytes.Add(rows);
   }
   vtkFieldData* fields = image->GetFieldData();
   bytes.Add(fields->GetNumberOfArrays());
@@ -92,8 +92,7 @@ void AddPixels(vtkImageData* image, const int extent[6], ByteWriter& bytes)
     vtkDataArray* array = fields->GetArray(i); // statistics are numbers
     AddHeader(array, bytes);
     const char* const first = GetTuple(array, 0);
-    bytes.AddArray(
-      std::vector<char>(first, first + array->GetNumberOfTuples() * GetTupleSize(array)));
+    bytes.Add(std::vector<char>(first, first + array->GetNumberOfTuples() * GetTupleSize(array)));
   }
 }
 
@@ -108,7 +107,7 @@ void GetPixels(ByteReader& bytes, vtkImageData* image)
   for (int i = 0; i < arrays; ++i)
   {
     vtkDataArray* array = FindArray(bytes, image->GetNumberOfPoints(), image->GetPointData());
-    const auto rows = bytes.GetArray<char>();
+    const auto rows = bytes.Get<std::vector<char>>();
     const char* from = rows.data();
     VisitRows(image, extent.data(), [&](vtkIdType first, int count) {
       const std::size_t size = count * GetTupleSize(array);
@@ -120,7 +119,7 @@ void GetPixels(ByteReader& bytes, vtkImageData* image)
   for (int i = 0; i < fields; ++i)
   {
     vtkDataArray* array = FindArray(bytes, 0, image->GetFieldData());
-    const auto values = bytes.GetArray<char>();
+    const auto values = bytes.Get<std::vector<char>>();
     array->SetNumberOfTuples(static_cast<vtkIdType>(values.size() / GetTupleSize(array)));
     std::copy(values.begin(), values.end(), GetTuple(array, 0));
   }

@@ -34,9 +34,14 @@ struct Summary
 
   Summary() = default;
   Summary(const Surface& surface, int rank, std::size_t index);
-  explicit Summary(ByteReader& bytes);
-  void Write(ByteWriter& bytes) const;
 };
+
+/// Calls bytes(members...) for the members of a summary.
+template <typename SummaryT, typename Bytes>
+void VisitSummary(SummaryT&& s, Bytes& bytes)
+{
+  bytes(s.ObjectId, s.Appearance, s.Count, s.Traits, s.IsPlanar, s.Samples);
+}
 
 Summary::Summary(const Surface& surface, int rank, std::size_t index)
   : ObjectId(surface.ObjectId),
@@ -60,26 +65,6 @@ Summary::Summary(const Surface& surface, int rank, std::size_t index)
   {
     this->Samples.push_back(surface.GetPoints(0));
   }
-}
-
-Summary::Summary(ByteReader& bytes)
-{
-  bytes.Get(this->ObjectId);
-  this->Appearance = bytes.GetText();
-  bytes.Get(this->Count);
-  bytes.Get(this->Traits);
-  bytes.Get(this->IsPlanar);
-  bytes.AppendArray(this->Samples);
-}
-
-void Summary::Write(ByteWriter& bytes) const
-{
-  bytes.Add(this->ObjectId);
-  bytes.AddText(this->Appearance);
-  bytes.Add(this->Count);
-  bytes.Add(this->Traits);
-  bytes.Add(this->IsPlanar);
-  bytes.AddArray(this->Samples);
 }
 
 /// Returns true if all of these triangles are in one plane.
@@ -174,7 +159,7 @@ std::vector<UnitedSurface> UniteSurfaces(const Scene& scene, RankGroup& ranks)
   ByteWriter own;
   for (std::size_t i = 0; i < scene.Surfaces.size(); ++i)
   {
-    Summary(scene.Surfaces[i], ranks.GetRank(), i).Write(own);
+    VisitSummary(Summary(scene.Surfaces[i], ranks.GetRank(), i), own);
   }
   std::vector<Union> unions;
   int rank = 0;
@@ -183,7 +168,8 @@ std::vector<UnitedSurface> UniteSurfaces(const Scene& scene, RankGroup& ranks)
     ByteReader reader(message);
     for (std::uint32_t i = 0; !reader.IsAtEnd(); ++i)
     {
-      const Summary part(reader);
+      Summary part;
+      VisitSummary(part, reader);
       auto found = std::find_if(unions.begin(), unions.end(), [&](const Union& u) {
         return u.ObjectId == part.ObjectId && u.Surface.Appearance == part.Appearance;
       });

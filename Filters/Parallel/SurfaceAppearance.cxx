@@ -7,57 +7,33 @@ namespace penumbra
 namespace
 {
 
-/// Calls visit(member) for the members of a material, which has padding bytes.
-template <typename MaterialT, typename Visit>
-void VisitMaterial(MaterialT& m, const Visit& visit)
+/// Calls bytes(members...) for the members of a material, which has padding bytes.
+template <typename MaterialT, typename Bytes>
+void VisitMaterial(MaterialT& m, Bytes& bytes)
 {
-  visit(m.AmbientColor);
-  visit(m.DiffuseColor);
-  visit(m.SpecularColor);
-  visit(m.Ambient);
-  visit(m.Diffuse);
-  visit(m.Specular);
-  visit(m.SpecularPower);
-  visit(m.Opacity);
-  visit(m.Lighting);
-  visit(m.PhysicallyBased);
-  visit(m.Metallic);
-  visit(m.Roughness);
-  visit(m.BaseReflectance);
-  visit(m.EdgeTint);
-  visit(m.Anisotropy);
-  visit(m.AnisotropyRotation);
-  visit(m.NormalScale);
-  visit(m.OcclusionStrength);
-  visit(m.EmissiveFactor);
-  visit(m.CoatStrength);
-  visit(m.CoatRoughness);
-  visit(m.CoatReflectance);
-  visit(m.CoatColor);
-  visit(m.CoatNormalScale);
+  bytes(m.AmbientColor, m.DiffuseColor, m.SpecularColor, m.Ambient, m.Diffuse, m.Specular,
+    m.SpecularPower, m.Opacity, m.Lighting, m.PhysicallyBased, m.Metallic, m.Roughness,
+    m.BaseReflectance, m.EdgeTint, m.Anisotropy, m.AnisotropyRotation, m.NormalScale,
+    m.OcclusionStrength, m.EmissiveFactor, m.CoatStrength, m.CoatRoughness, m.CoatReflectance,
+    m.CoatColor, m.CoatNormalScale);
 }
 
-/// Calls visit(member) for the plain members of a surface.
-template <typename SurfaceT, typename Visit>
-void VisitPlainMembers(SurfaceT& s, const Visit& visit)
+/// Calls bytes(members...) for the plain members of a surface.
+template <typename SurfaceT, typename Bytes>
+void VisitPlainMembers(SurfaceT& s, Bytes& bytes)
 {
-  visit(s.ObjectId);
-  visit(s.HasFlatEnds);
-  visit(s.NormalRule);
-  visit(s.TextureOnBackfaces);
-  visit(s.HasBackMaterial);
-  VisitMaterial(s.Front, visit);
-  VisitMaterial(s.Back, visit);
-  visit(s.Backfaces);
-  visit(s.Frontfaces);
-  visit(s.ScalarColoring);
-  visit(s.IsLineOrPoint);
-  visit(s.EdgeWidth);
-  visit(s.IsAdditive);
-  visit(s.ForceOpaque);
-  visit(s.HidesLines);
-  visit(s.DepthRank);
-  visit(s.HasHiddenLines);
+  bytes(s.ObjectId, s.HasFlatEnds, s.NormalRule, s.TextureOnBackfaces, s.HasBackMaterial);
+  VisitMaterial(s.Front, bytes);
+  VisitMaterial(s.Back, bytes);
+  bytes(s.Backfaces, s.Frontfaces, s.ScalarColoring, s.IsLineOrPoint, s.EdgeWidth, s.IsAdditive,
+    s.ForceOpaque, s.HidesLines, s.DepthRank, s.HasHiddenLines);
+}
+
+/// Calls bytes(members...) for the members of a texture.
+template <typename TextureT, typename Bytes>
+void VisitTexture(TextureT& t, Bytes& bytes)
+{
+  bytes(t.Width, t.Height, t.Texels, t.Interpolate, t.Wrap, t.BorderColor);
 }
 
 /// Calls visit(texture) for the textures of a surface, some of which may be null. `details` are those of
@@ -103,7 +79,7 @@ const MaterialTextures& GetDetails(const Surface& surface)
 std::string DescribeAppearance(const Surface& surface)
 {
   ByteWriter bytes;
-  VisitPlainMembers(surface, [&](const auto& member) { bytes.Add(member); });
+  VisitPlainMembers(surface, bytes);
   bytes.Add(surface.DetailTextures != nullptr);
   VisitTextures(surface, GetDetails(surface),
     [&](const std::shared_ptr<const Texture>& texture) { bytes.Add(HashTexture(texture)); });
@@ -125,7 +101,7 @@ Surface MakeEmptySurface(const std::string& appearance, const TextureMap& textur
   static const auto texel = std::make_shared<const Texture>(Texture{ 1, 1, { glm::u8vec4(255) } });
   Surface surface;
   ByteReader bytes(appearance);
-  VisitPlainMembers(surface, [&](auto& member) { bytes.Get(member); });
+  VisitPlainMembers(surface, bytes);
   const bool hasDetails = bytes.Get<bool>();
   MaterialTextures details;
   VisitTextures(surface, details, [&](std::shared_ptr<const Texture>& texture) {
@@ -166,23 +142,13 @@ void CollectTextures(const Surface& surface, TextureMap& textures)
 
 void AddTexture(const Texture& texture, ByteWriter& bytes)
 {
-  bytes.Add(texture.Width);
-  bytes.Add(texture.Height);
-  bytes.AddArray(texture.Texels);
-  bytes.Add(texture.Interpolate);
-  bytes.Add(texture.Wrap);
-  bytes.Add(texture.BorderColor);
+  VisitTexture(texture, bytes);
 }
 
 std::shared_ptr<const Texture> GetTexture(ByteReader& bytes)
 {
   auto texture = std::make_shared<Texture>();
-  bytes.Get(texture->Width);
-  bytes.Get(texture->Height);
-  bytes.AppendArray(texture->Texels);
-  bytes.Get(texture->Interpolate);
-  bytes.Get(texture->Wrap);
-  bytes.Get(texture->BorderColor);
+  VisitTexture(*texture, bytes);
   return texture;
 }
 

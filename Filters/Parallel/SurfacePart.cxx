@@ -99,7 +99,7 @@ void AddIndices(const std::vector<T>& values, ByteWriter& bytes)
     }
   }
   bytes.Add(static_cast<std::uint64_t>(values.size()));
-  bytes.AddArray(packed);
+  bytes.Add(packed);
 }
 
 /// Appends the indices of AddIndices(), increased by `offset`.
@@ -107,7 +107,7 @@ template <typename T>
 void AppendIndices(ByteReader& bytes, Index offset, std::vector<T>& values)
 {
   const auto count = bytes.Get<std::uint64_t>();
-  const auto packed = bytes.GetArray<unsigned char>();
+  const auto packed = bytes.Get<std::vector<unsigned char>>();
   auto byte = packed.begin();
   Index last = offset;
   values.reserve(values.size() + count + 1);
@@ -131,27 +131,16 @@ void AppendIndices(ByteReader& bytes, Index offset, std::vector<T>& values)
   }
 }
 
-void AddInstances(
-  const SurfaceInstances& instances, const std::vector<Index>& units, ByteWriter& bytes)
+/// Calls visit(values) for the arrays of a surface with an element for each position, except Radii.
+template <typename SurfaceT, typename Visit>
+void VisitPositionArrays(SurfaceT& s, const Visit& visit)
 {
-  bytes.AddArray(Select(instances.Transforms, units));
-  bytes.AddArray(Select(instances.Colors, units));
-  bytes.AddArray(Select(instances.Ids, units));
-  bytes.Add(instances.Center);
-  bytes.Add(instances.HalfSize);
-  bytes.Add(instances.Radius);
-}
-
-std::shared_ptr<const SurfaceInstances> GetInstances(ByteReader& bytes)
-{
-  auto instances = std::make_shared<SurfaceInstances>();
-  bytes.AppendArray(instances->Transforms);
-  bytes.AppendArray(instances->Colors);
-  bytes.AppendArray(instances->Ids);
-  bytes.Get(instances->Center);
-  bytes.Get(instances->HalfSize);
-  bytes.Get(instances->Radius);
-  return instances;
+  visit(s.Positions);
+  visit(s.Normals);
+  visit(s.PointColors);
+  visit(s.ColorCoordinates);
+  visit(s.Tangents);
+  visit(s.TextureCoordinates);
 }
 
 }
@@ -167,14 +156,8 @@ void AddPart(const Surface& surface, const std::vector<Index>& units, ByteWriter
     surface.Instances ? ListAll(surface.Triangles.size()) : units;
   const UsedPositions used(surface, primitives);
   const std::vector<Index>& positions = used.GetPositions();
-  bytes.AddArray(Select(surface.Positions, positions));
-  bytes.AddArray(Select(surface.Normals, positions));
-  bytes.AddArray(Select(surface.PointColors, positions));
-  bytes.AddArray(Select(surface.ColorCoordinates, positions));
-  bytes.AddArray(Select(surface.Tangents, positions));
-  bytes.AddArray(Select(surface.TextureCoordinates, positions));
-  bytes.AddArray(
-    surface.Radii.size() > 1 ? Select(surface.Radii, positions) : std::vector<float>());
+  VisitPositionArrays(surface, [&](const auto& values) { bytes.Add(Select(values, positions)); });
+  bytes.Add(surface.Radii.size() > 1 ? Select(surface.Radii, positions) : std::vector<float>());
   std::vector<glm::uvec3> triangles;
   std::vector<glm::uvec2> segments;
   std::vector<Index> cells;
@@ -198,12 +181,14 @@ void AddPart(const Surface& surface, const std::vector<Index>& units, ByteWriter
   AddIndices(triangles, bytes);
   AddIndices(segments, bytes);
   AddIndices(cells, bytes);
-  bytes.AddArray(Select(surface.TriangleNormals, primitives));
-  bytes.AddArray(Select(surface.CellColors, primitives));
+  bytes.Add(Select(surface.TriangleNormals, primitives));
+  bytes.Add(Select(surface.CellColors, primitives));
   bytes.Add(surface.Instances != nullptr);
   if (surface.Instances)
   {
-    AddInstances(*surface.Instances, units, bytes);
+    const SurfaceInstances& all = *surface.Instances;
+    bytes(Select(all.Transforms, units), Select(all.Colors, units), Select(all.Ids, units),
+      all.Center, all.HalfSize, all.Radius);
   }
 }
 
@@ -213,12 +198,7 @@ std::size_t CountBytes(const Surface& surface)
   const auto add = [&](const auto& values) {
     sum += sizeof(std::uint64_t) + values.size() * sizeof(values[0]);
   };
-  add(surface.Positions);
-  add(surface.Normals);
-  add(surface.PointColors);
-  add(surface.ColorCoordinates);
-  add(surface.Tangents);
-  add(surface.TextureCoordinates);
+  VisitPositionArrays(surface, add);
   add(surface.Radii.size() > 1 ? surface.Radii : std::vector<float>());
   add(surface.Triangles);
   add(surface.Segments);
@@ -241,13 +221,8 @@ std::size_t CountBytes(const Surface& surface)
 void AppendPart(ByteReader& bytes, Surface& surface)
 {
   const auto offset = static_cast<Index>(surface.Positions.size());
-  bytes.AppendArray(surface.Positions);
-  bytes.AppendArray(surface.Normals);
-  bytes.AppendArray(surface.PointColors);
-  bytes.AppendArray(surface.ColorCoordinates);
-  bytes.AppendArray(surface.Tangents);
-  bytes.AppendArray(surface.TextureCoordinates);
-  const auto radii = bytes.GetArray<float>();
+  VisitPositionArrays(surface, [&](auto& values) { bytes.Get(values); });
+  const auto radii = bytes.Get<std::vector<float>>();
   if (!radii.empty())
   {
     surface.Radii.resize(offset);
@@ -256,11 +231,13 @@ void AppendPart(ByteReader& bytes, Surface& surface)
   AppendIndices(bytes, offset, surface.Triangles);
   AppendIndices(bytes, offset, surface.Segments);
   AppendIndices(bytes, 0, surface.CellIds);
-  bytes.AppendArray(surface.TriangleNormals);
-  bytes.AppendArray(surface.CellColors);
+  bytes.Get(surface.TriangleNormals);
+  bytes.Get(surface.CellColors);
   if (bytes.Get<bool>())
   {
-    surface.Instances = GetInstances(bytes);
+    auto all = std::make_shared<SurfaceInstances>();
+    bytes(all->Transforms, all->Colors, all->Ids, all->Center, all->HalfSize, all->Radius);
+    surface.Instances = std::move(all);
   }
 }
 
