@@ -15,7 +15,8 @@ const float gain = 0.9;
 float occlusionAt(SurfacePoint point, int pointCount)
 {
   float sum = 0.0;
-  for (int i = 0; i < pointCount; ++i)
+  int i = 0;
+  do
   {
     vec4 xi = pixelSample(i, point.pixel);
     float angle = 2.0 * pi * xi.x;
@@ -24,6 +25,7 @@ float occlusionAt(SurfacePoint point, int pointCount)
     offset *= sign(dot(offset, point.normal)) * pow(xi.y, 1.0 / 3.0);
     float behind = depthBehind(point, point.position + offset);
     sum += behind > 1e-4 ? 1.0 / (1.0 + behind * behind) : 0.0;
-  }
+    ++i;
+  } while (i < pointCount);
   return gain * sum / float(pointCount);
 }

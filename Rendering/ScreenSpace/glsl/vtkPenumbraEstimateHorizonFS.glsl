@@ -72,10 +72,12 @@ float occlusionAt(SurfacePoint point, int pointCount)
 {
   vec3 view = towardEye(point.position);
   float sum = 0.0;
-  for (int i = 0; i < pointCount; ++i)
+  int i = 0;
+  do
   {
     vec4 xi = pixelSample(i, point.pixel);
     sum += sliceOcclusion(point, view, pi * xi.x, xi.y);
-  }
+    ++i;
+  } while (i < pointCount);
   return sum / float(pointCount);
 }

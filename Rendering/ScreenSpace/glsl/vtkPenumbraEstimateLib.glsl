@@ -55,6 +55,9 @@ vec2 radiusInPixels(SurfacePoint point, vec2 direction)
   return pixelOffsetOnPlane(direction / mix(1.0, -point.position.z, perspective));
 }
 
+// Kernels define occlusionAt(), the mean over a number of points, 0 or more. Their loops test the
+// number after each point: some drivers execute the body of a loop once more, without effect, if the
+// condition comes first. Their cost: Benchmarks/notes/ambient-occlusion.md.
 //VTK::Penumbra::QualityLib
 //VTK::Penumbra::Kernel
 

@@ -110,9 +110,11 @@ float occlusionAt(SurfacePoint point, int pointCount)
 {
   vec3 view = towardEye(point.position);
   float sum = 0.0;
-  for (int i = 0; i < pointCount; ++i)
+  int i = 0;
+  do
   {
     sum += sliceOcclusion(point, view, pixelSample(i, point.pixel));
-  }
+    ++i;
+  } while (i < pointCount);
   return sum / float(pointCount);
 }

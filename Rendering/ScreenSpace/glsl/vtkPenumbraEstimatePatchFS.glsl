@@ -16,7 +16,8 @@ const float minimumDistance = 0.05;
 float occlusionAt(SurfacePoint point, int pointCount)
 {
   float sum = 0.0;
-  for (int i = 0; i < pointCount; ++i)
+  int i = 0;
+  do
   {
     vec4 xi = pixelSample(i, point.pixel);
     float angle = 2.0 * pi * xi.x;
@@ -25,6 +26,7 @@ float occlusionAt(SurfacePoint point, int pointCount)
     float distance = length(delta);
     float cosine = dot(delta, point.normal) / max(distance, 1e-6);
     sum += distance < 1.0 ? max(cosine, 0.0) / max(distance, minimumDistance) : 0.0;
-  }
+    ++i;
+  } while (i < pointCount);
   return gain * sum / float(pointCount);
 }

@@ -13,13 +13,15 @@ float occlusionAt(SurfacePoint point, int pointCount)
 {
   mat3 frame = tangentFrame(point.normal);
   float sum = 0.0;
-  for (int i = 0; i < pointCount; ++i)
+  int i = 0;
+  do
   {
     vec4 xi = pixelSample(i, point.pixel);
     float angle = 2.0 * pi * xi.x;
     vec3 direction = vec3(sqrt(1.0 - xi.z) * vec2(cos(angle), sin(angle)), sqrt(xi.z));
     vec3 position = point.position + xi.y * (frame * direction);
     sum += depthBehind(point, position) > 1e-4 ? 1.0 : 0.0;
-  }
+    ++i;
+  } while (i < pointCount);
   return sum / float(pointCount);
 }
