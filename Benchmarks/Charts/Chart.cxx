@@ -208,6 +208,10 @@ int Chart(const ChartOptions& options)
     const std::vector<ChartPanel> panels = PanelsOf(table.GetRows());
     WriteChartPng(family, panels, path + ".png");
     WriteChartSvg(family, panels, path + ".svg");
+    if (!family.Overview.empty() && !panels.empty())
+    {
+      WriteChartOverview(family, panels.back(), path + "-overview.png");
+    }
     progress.Clear();
     WriteDistances(path + "-front.csv", table.GetRows());
     std::cout << path << ".csv .png .svg: " << table.GetRows().size() << " steps\n" << std::flush;

@@ -236,7 +236,10 @@ ChartFamily AntialiasingFamily(const ChartRequest& request)
   const int size = request.Quick ? 64 : 512;
   ChartFamily family{ "aa", "Antialiasing, " + std::to_string(size) + "x" + std::to_string(size),
     "RMSE over edge pixels", "rays or samples per pixel",
-    "exact areas (rods); 32 x 32 samples per pixel, 16 times as many on edges (meshes)", {} };
+    "exact areas (rods); 32 x 32 samples per pixel, 16 times as many on edges (meshes)", {},
+    { { "OpenGL multisampled", "OpenGL" }, { "F3D", "F3D" },
+      { "rays on a grid", "1 to 256 rays per pixel" }, { "POV-Ray +AM2", "POV-Ray" },
+      { "Blender", "Blender" }, { "Mitsuba", "Mitsuba" }, { "Penumbra automatic", "Penumbra" } } };
   if (request.Meshes.empty())
   {
     AddSteps(family, "thin rods", FlatRods(size), request.Quick);

@@ -13,6 +13,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkPolyData;
@@ -44,6 +45,8 @@ struct ChartFamily
   std::string CountTitle;
   std::string Truth; ///< description of the reference in one line
   std::vector<ChartStep> Steps;
+  /// Methods that an overview shows, each with its label there; empty: no overview.
+  std::vector<std::pair<std::string, std::string>> Overview = {};
 };
 
 struct ChartMesh

@@ -18,11 +18,14 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTable.h"
+#include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace penumbra
 {
@@ -34,6 +37,10 @@ namespace
 constexpr int ChartWidth = 620;
 constexpr int LegendWidth = 300;
 constexpr int ChartHeight = 460;
+constexpr int OverviewWidth = 900;
+constexpr int OverviewHeight = 520;
+
+constexpr char SecondsTitle[] = "CPU seconds of one thread";
 
 /// Stand-in for 0 on a logarithmic axis.
 constexpr double Least = 1e-8;
@@ -95,17 +102,19 @@ void SetRange(vtkAxis* axis, const std::vector<double>& values)
   axis->SetBehavior(vtkAxis::FIXED);
 }
 
-vtkSmartPointer<vtkChartXY> ChartOf(const ChartFamily& family, const ChartPanel& panel,
-  double ChartRow::*cost, const std::string& costTitle)
+/// Returns a chart with axes for `rows` and without curves.
+vtkSmartPointer<vtkChartXY> NewChart(const ChartFamily& family, const std::string& title,
+  const std::vector<ChartRow>& rows, double ChartRow::*cost, const std::string& costTitle)
 {
   auto chart = vtkSmartPointer<vtkChartXY>::New();
-  chart->SetTitle(family.Title + ": " + panel.Scene);
+  chart->SetAutoSize(false);
+  chart->SetTitle(title);
   chart->GetTitleProperties()->SetFontSize(15);
   SetUpAxis(chart->GetAxis(vtkAxis::BOTTOM), costTitle);
   SetUpAxis(chart->GetAxis(vtkAxis::LEFT), family.ErrorTitle);
   std::vector<double> costs;
   std::vector<double> errors;
-  for (const ChartRow& row : panel.Rows)
+  for (const ChartRow& row : rows)
   {
     costs.push_back(row.*cost);
     errors.push_back(row.Error);
@@ -113,14 +122,27 @@ vtkSmartPointer<vtkChartXY> ChartOf(const ChartFamily& family, const ChartPanel&
   }
   SetRange(chart->GetAxis(vtkAxis::BOTTOM), costs);
   SetRange(chart->GetAxis(vtkAxis::LEFT), errors);
+  return chart;
+}
+
+void AddMethod(vtkChartXY* chart, const ChartCurve& method, double ChartRow::*cost)
+{
+  const auto steps = TableOf(method.Method, method.Steps, cost, &ChartRow::Error);
+  vtkPlotPoints* curve = AddCurve(chart, steps, true, method.Color, method.IsOurs ? 2.5f : 1.5f);
+  curve->SetMarkerStyle(method.IsOurs ? vtkPlotPoints::DIAMOND : vtkPlotPoints::CIRCLE);
+  curve->SetMarkerSize(method.IsOurs ? 9.f : 7.f);
+}
+
+vtkSmartPointer<vtkChartXY> ChartOf(const ChartFamily& family, const ChartPanel& panel,
+  double ChartRow::*cost, const std::string& costTitle)
+{
+  const vtkSmartPointer<vtkChartXY> chart =
+    NewChart(family, family.Title + ": " + panel.Scene, panel.Rows, cost, costTitle);
   const auto front = TableOf("Pareto front", ParetoFront(panel.Rows, cost), cost, &ChartRow::Error);
   AddCurve(chart, front, true, FrontColor, 9.f);
   for (const ChartCurve& each : panel.Curves)
   {
-    const auto steps = TableOf(each.Method, each.Steps, cost, &ChartRow::Error);
-    vtkPlotPoints* curve = AddCurve(chart, steps, true, each.Color, each.IsOurs ? 2.5f : 1.5f);
-    curve->SetMarkerStyle(each.IsOurs ? vtkPlotPoints::DIAMOND : vtkPlotPoints::CIRCLE);
-    curve->SetMarkerSize(each.IsOurs ? 9.f : 7.f);
+    AddMethod(chart, each, cost);
     if (each.HasTolerances())
     {
       const auto requested =
@@ -131,6 +153,71 @@ vtkSmartPointer<vtkChartXY> ChartOf(const ChartFamily& family, const ChartPanel&
     }
   }
   return chart;
+}
+
+/// A window with a scene for charts.
+struct ChartWindow
+{
+  ChartWindow(int width, int height)
+  {
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetShowWindow(false);
+    this->Window->SetMultiSamples(8);
+    this->Window->SetSize(width, height);
+    this->Renderer->SetBackground(1.0, 1.0, 1.0);
+    this->Window->AddRenderer(this->Renderer);
+    this->Renderer->AddActor(this->Actor);
+    this->Actor->GetScene()->SetRenderer(this->Renderer);
+  }
+
+  void Write(const std::string& path)
+  {
+    this->Window->Render();
+    AtomicFile image(path, "--output");
+    vtkNew<vtkWindowToImageFilter> capture;
+    capture->SetInput(this->Window);
+    capture->ReadFrontBufferOff();
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetInputConnection(capture->GetOutputPort());
+    writer->WriteToMemoryOn();
+    writer->Write();
+    vtkUnsignedCharArray* bytes = writer->GetResult();
+    image.Write(
+      std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues()));
+    image.Commit();
+  }
+
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkContextActor> Actor;
+};
+
+/// Returns where a value lies on an axis, in pixels.
+double PixelOf(vtkAxis* axis, double value, double low, double high)
+{
+  double range[2];
+  axis->GetUnscaledRange(range);
+  return low + (high - low) * std::log(value / range[0]) / std::log(range[1] / range[0]);
+}
+
+/// Writes a label to the right of the last point of a curve. The chart has been drawn.
+void AddLabel(vtkRenderer* renderer, vtkChartXY* chart, const ChartCurve& curve)
+{
+  constexpr double distance = 9.0; // pixels
+  const ChartRow& last = curve.Steps.back();
+  vtkNew<vtkTextActor> label;
+  label->SetInput(curve.Method.c_str());
+  label->SetPosition(distance +
+      PixelOf(chart->GetAxis(vtkAxis::BOTTOM), last.Seconds, chart->GetPoint1()[0],
+        chart->GetPoint2()[0]),
+    PixelOf(
+      chart->GetAxis(vtkAxis::LEFT), last.Error, chart->GetPoint1()[1], chart->GetPoint2()[1]));
+  vtkTextProperty* text = label->GetTextProperty();
+  text->SetFontSize(curve.IsOurs ? 17 : 14);
+  text->SetBold(curve.IsOurs);
+  text->SetVerticalJustificationToCentered();
+  text->SetColor(curve.Color[0] / 255.0, curve.Color[1] / 255.0, curve.Color[2] / 255.0);
+  renderer->AddViewProp(label);
 }
 
 }
@@ -180,28 +267,16 @@ std::vector<ChartPanel> PanelsOf(const std::vector<ChartRow>& rows)
 void WriteChartPng(
   const ChartFamily& family, const std::vector<ChartPanel>& panels, const std::string& path)
 {
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
-  window->SetShowWindow(false);
-  window->SetMultiSamples(8);
   const int height = ChartHeight * static_cast<int>(panels.size());
-  window->SetSize(2 * ChartWidth + LegendWidth, height);
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(1.0, 1.0, 1.0);
-  window->AddRenderer(renderer);
-  vtkNew<vtkContextActor> actor;
-  renderer->AddActor(actor);
-  actor->GetScene()->SetRenderer(renderer);
+  ChartWindow window(2 * ChartWidth + LegendWidth, height);
   int bottom = height;
   for (const ChartPanel& panel : panels)
   {
     bottom -= ChartHeight;
     for (const bool counts : { false, true })
     {
-      const vtkSmartPointer<vtkChartXY> chart =
-        ChartOf(family, panel, counts ? &ChartRow::Count : &ChartRow::Seconds,
-          counts ? family.CountTitle : "CPU seconds of one thread");
-      chart->SetAutoSize(false);
+      const vtkSmartPointer<vtkChartXY> chart = ChartOf(family, panel,
+        counts ? &ChartRow::Count : &ChartRow::Seconds, counts ? family.CountTitle : SecondsTitle);
       chart->SetSize(vtkRectf(counts ? ChartWidth : 0.f, static_cast<float>(bottom),
         counts ? ChartWidth + LegendWidth : ChartWidth, ChartHeight));
       chart->SetShowLegend(counts);
@@ -209,23 +284,55 @@ void WriteChartPng(
       chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
       chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
       chart->GetLegend()->SetLabelSize(12);
-      actor->GetScene()->AddItem(chart);
+      window.Actor->GetScene()->AddItem(chart);
     }
   }
-  window->Render();
+  window.Write(path);
+}
 
-  AtomicFile image(path, "--output");
-  vtkNew<vtkWindowToImageFilter> capture;
-  capture->SetInput(window);
-  capture->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(capture->GetOutputPort());
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  image.Write(
-    std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues()));
-  image.Commit();
+void WriteChartOverview(const ChartFamily& family, const ChartPanel& panel, const std::string& path)
+{
+  constexpr double roomForLabels = 4.0; // a factor of seconds
+  std::vector<ChartCurve> curves;
+  std::vector<ChartRow> rows;
+  for (const auto& [method, label] : family.Overview)
+  {
+    for (ChartCurve curve : panel.Curves)
+    {
+      if (curve.Method == method)
+      {
+        curve.Method = label;
+        for (ChartRow& row : curve.Steps)
+        {
+          row.RequestedTolerance = 0.0;
+        }
+        rows.insert(rows.end(), curve.Steps.begin(), curve.Steps.end());
+        curves.push_back(std::move(curve));
+      }
+    }
+  }
+  if (rows.empty())
+  {
+    return;
+  }
+  const vtkSmartPointer<vtkChartXY> chart =
+    NewChart(family, family.Title + ": " + panel.Scene, rows, &ChartRow::Seconds, SecondsTitle);
+  vtkAxis* seconds = chart->GetAxis(vtkAxis::BOTTOM);
+  seconds->SetUnscaledRange(
+    seconds->GetUnscaledMinimum(), roomForLabels * seconds->GetUnscaledMaximum());
+  for (const ChartCurve& curve : curves)
+  {
+    AddMethod(chart, curve, &ChartRow::Seconds);
+  }
+  ChartWindow window(OverviewWidth, OverviewHeight);
+  chart->SetSize(vtkRectf(0.f, 0.f, OverviewWidth, OverviewHeight));
+  window.Actor->GetScene()->AddItem(chart);
+  window.Window->Render();
+  for (const ChartCurve& curve : curves)
+  {
+    AddLabel(window.Renderer, chart, curve);
+  }
+  window.Write(path);
 }
 
 }

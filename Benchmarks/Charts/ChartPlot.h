@@ -38,11 +38,15 @@ struct ChartPanel
 std::vector<ChartPanel> PanelsOf(const std::vector<ChartRow>& rows);
 
 ///@{
-/// Throws Failure if the file cannot be written. The PNG requires an OpenGL window.
+/// Throws Failure if the file cannot be written. A PNG requires an OpenGL window.
 void WriteChartPng(
   const ChartFamily& family, const std::vector<ChartPanel>& panels, const std::string& path);
 void WriteChartSvg(
   const ChartFamily& family, const std::vector<ChartPanel>& panels, const std::string& path);
+/// Draws error against seconds of the methods of ChartFamily::Overview in one scene, with their labels
+/// next to their curves.
+void WriteChartOverview(
+  const ChartFamily& family, const ChartPanel& panel, const std::string& path);
 ///@}
 
 }
