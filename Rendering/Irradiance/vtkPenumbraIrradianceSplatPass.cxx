@@ -6,6 +6,7 @@
 #include "Frame/BackgroundDepth.h"
 #include "Frame/Composite.h"
 #include "Frame/EyeDepth.h"
+#include "Frame/Uniforms.h"
 #include "Records/RecordPolyData.h"
 #include "Scene.h"
 #include "Splats/RecordSplatter.h"
@@ -75,21 +76,7 @@ vtkPenumbraIrradianceSplatPass::~vtkPenumbraIrradianceSplatPass() = default;
 
 Pass* vtkPenumbraIrradianceSplatPass::AddTo(vtkRenderer* renderer)
 {
-  if (!renderer)
-  {
-    vtkGenericWarningMacro("vtkPenumbraIrradianceSplatPass::AddTo() needs a renderer, got null.");
-    return nullptr;
-  }
-  if (Pass* present = FindPassOf<Pass>(FindPassSlots(renderer)))
-  {
-    return present;
-  }
-  const PassSlot slot = EnsurePassSlots(renderer).back();
-  vtkNew<Pass> pass;
-  pass->SetDelegatePass(slot.Pass);
-  pass->SetOpaqueOnly(slot.OpaqueOnly);
-  slot.Set(pass);
-  return pass;
+  return AddPass<Pass>(renderer, [](const std::vector<PassSlot>& slots) { return slots.back(); });
 }
 
 void vtkPenumbraIrradianceSplatPass::RemoveFrom(vtkRenderer* renderer)
@@ -186,9 +173,7 @@ bool vtkPenumbraIrradianceSplatPass::RenderSplats(const vtkRenderState* state)
     {
       return false;
     }
-    const float pixelSize[2] = { 1.f / static_cast<float>(view.Width),
-      1.f / static_cast<float>(view.Height) };
-    program->SetUniform2f("pixelSize", pixelSize);
+    SetPixelSize(program, "pixelSize", view.Width, view.Height);
     program->SetUniformf("light", internals.HasIrradiance ? 1.f : 0.f);
     program->SetUniformf("strength", static_cast<float>(this->Strength));
     internals.Resolve.BindTexture("means", internals.Means);
@@ -272,14 +257,7 @@ void vtkPenumbraIrradianceSplatPass::ReleaseGraphicsResources(vtkWindow* window)
   internals.Splats.ReleaseGraphicsResources(window);
   internals.Resolve.ReleaseGraphicsResources(window);
   internals.Composite.ReleaseGraphicsResources(window);
-  for (vtkSmartPointer<vtkTextureObject>* texture : { &internals.Means, &internals.Result })
-  {
-    if (*texture)
-    {
-      (*texture)->ReleaseGraphicsResources(window);
-      *texture = nullptr;
-    }
-  }
+  Release(window, internals.Means, internals.Result);
   internals.Drawn = false;
 }
 

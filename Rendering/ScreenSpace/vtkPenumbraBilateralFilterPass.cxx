@@ -5,6 +5,7 @@
 #include "Chain/PassSlots.h"
 #include "Frame/Composite.h"
 #include "Frame/EyeDepth.h"
+#include "Frame/Textures.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -129,15 +130,7 @@ void vtkPenumbraBilateralFilterPass::ReleaseGraphicsResources(vtkWindow* window)
   internals.Depth.ReleaseGraphicsResources(window);
   internals.FilterStage.ReleaseGraphicsResources(window);
   internals.Composite.ReleaseGraphicsResources(window);
-  for (vtkSmartPointer<vtkTextureObject>* texture :
-    { &internals.Intermediate, &internals.Result, &internals.WeightTexture })
-  {
-    if (*texture)
-    {
-      (*texture)->ReleaseGraphicsResources(window);
-      *texture = nullptr;
-    }
-  }
+  penumbra::Release(window, internals.Intermediate, internals.Result, internals.WeightTexture);
 }
 
 void vtkPenumbraBilateralFilterPass::PrintSelf(ostream& os, vtkIndent indent)

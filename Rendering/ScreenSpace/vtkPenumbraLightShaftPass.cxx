@@ -121,24 +121,12 @@ Pass* vtkPenumbraLightShaftPass::FindIn(vtkRenderer* renderer)
 
 Pass* vtkPenumbraLightShaftPass::AddTo(vtkRenderer* renderer)
 {
-  if (!renderer)
-  {
-    vtkGenericWarningMacro("The renderer is null; pass a vtkRenderer to AddTo().");
-    return nullptr;
-  }
-  if (Pass* present = FindIn(renderer))
-  {
-    return present;
-  }
-  const std::vector<penumbra::PassSlot> slots = penumbra::EnsurePassSlots(renderer);
-  const penumbra::PassSlot* occlusion = penumbra::FindPass(slots,
-    [](vtkRenderPass* pass) { return vtkPenumbraTemporalSSAOPass::SafeDownCast(pass) != nullptr; });
-  const penumbra::PassSlot& slot = occlusion ? *occlusion : slots.back();
-  vtkNew<Pass> pass;
-  pass->SetDelegatePass(slot.Pass);
-  pass->SetOpaqueOnly(slot.OpaqueOnly);
-  slot.Set(pass);
-  return pass;
+  return penumbra::AddPass<Pass>(renderer, [](const std::vector<penumbra::PassSlot>& slots) {
+    const penumbra::PassSlot* occlusion = penumbra::FindPass(slots, [](vtkRenderPass* pass) {
+      return vtkPenumbraTemporalSSAOPass::SafeDownCast(pass) != nullptr;
+    });
+    return occlusion ? *occlusion : slots.back();
+  });
 }
 
 void vtkPenumbraLightShaftPass::RemoveFrom(vtkRenderer* renderer)

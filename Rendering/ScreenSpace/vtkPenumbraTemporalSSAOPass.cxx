@@ -146,21 +146,8 @@ Pass* vtkPenumbraTemporalSSAOPass::FindIn(vtkRenderer* renderer)
 
 Pass* vtkPenumbraTemporalSSAOPass::AddTo(vtkRenderer* renderer)
 {
-  if (!renderer)
-  {
-    vtkGenericWarningMacro("The renderer is null; pass a vtkRenderer to AddTo().");
-    return nullptr;
-  }
-  if (Pass* present = FindIn(renderer))
-  {
-    return present;
-  }
-  const penumbra::PassSlot slot = penumbra::EnsurePassSlots(renderer).back();
-  vtkNew<Pass> pass;
-  pass->SetDelegatePass(slot.Pass);
-  pass->SetOpaqueOnly(slot.OpaqueOnly);
-  slot.Set(pass);
-  return pass;
+  return penumbra::AddPass<Pass>(
+    renderer, [](const std::vector<penumbra::PassSlot>& slots) { return slots.back(); });
 }
 
 void vtkPenumbraTemporalSSAOPass::RemoveFrom(vtkRenderer* renderer)

@@ -104,40 +104,38 @@ private:
     return static_cast<std::uint32_t>(patches.size() - 1);
   }
 
+  /// Calls visit(site, pixel) for the sites of a block of a level.
+  template <typename Visit>
+  void VisitSites(const Level& level, int block, const Visit& visit)
+  {
+    const glm::ivec2 first =
+      this->Grid.Low + level.Side * glm::ivec2(block % level.Blocks.x, block / level.Blocks.x);
+    for (int i = 0; i < level.Side * level.Side; ++i)
+    {
+      const std::size_t cell =
+        this->Grid.GetCell(first.x + i % level.Side, first.y + i / level.Side);
+      const LightPixel& pixel = this->Grid.Pixels[cell];
+      for (std::uint32_t k = pixel.Begin; k < pixel.Begin + pixel.Sites; ++k)
+      {
+        visit(this->Grid.Sites[k], pixel);
+      }
+    }
+  }
+
   void MakeFirstPatches()
   {
     Level& level = this->Levels[0];
-    const int columns = level.Blocks.x;
     this->VisitPatches(level, [&](int block, std::vector<Patch>& patches) {
-      const glm::ivec2 first =
-        this->Grid.Low + level.Side * glm::ivec2(block % columns, block / columns);
-      for (int i = 0; i < level.Side * level.Side; ++i)
-      {
-        const std::size_t cell =
-          this->Grid.GetCell(first.x + i % level.Side, first.y + i / level.Side);
-        const LightPixel& pixel = this->Grid.Pixels[cell];
-        for (std::uint32_t k = pixel.Begin; k < pixel.Begin + pixel.Sites; ++k)
-        {
-          Patch part;
-          part.Add(this->Grid.Sites[k], pixel.GetPart(this->Grid.Sites[k]));
-          this->Grid.Sites[k].Patch = AddPart(patches, part);
-        }
-      }
+      this->VisitSites(level, block, [&](LightSite<N>& site, const LightPixel& pixel) {
+        Patch part;
+        part.Add(site, pixel.GetPart(site));
+        site.Patch = AddPart(patches, part);
+      });
     });
     for (int block = 0; block < level.GetNumberOfBlocks(); ++block)
     {
-      const glm::ivec2 first =
-        this->Grid.Low + level.Side * glm::ivec2(block % columns, block / columns);
-      for (int i = 0; i < level.Side * level.Side; ++i)
-      {
-        const std::size_t cell =
-          this->Grid.GetCell(first.x + i % level.Side, first.y + i / level.Side);
-        const LightPixel& pixel = this->Grid.Pixels[cell];
-        for (std::uint32_t k = pixel.Begin; k < pixel.Begin + pixel.Sites; ++k)
-        {
-          this->Grid.Sites[k].Patch += level.Begin[block];
-        }
-      }
+      this->VisitSites(level, block,
+        [&](LightSite<N>& site, const LightPixel&) { site.Patch += level.Begin[block]; });
     }
   }
 

@@ -4,6 +4,7 @@
 
 #include "CoincidentSurfaces.h"
 #include "Surface.h"
+#include "SurfaceGeometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -166,15 +167,8 @@ void Occlude(const RTCOccludedFunctionNArguments* args)
 
 RTCGeometry MakeInstanceGeometry(RTCDevice device, TracedSurface& traced)
 {
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(
-    geometry, static_cast<unsigned int>(traced.Data->Instances->GetCount()));
-  rtcSetGeometryUserData(geometry, &traced);
-  rtcSetGeometryBoundsFunction(geometry, ComputeBounds, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, Intersect);
-  rtcSetGeometryOccludedFunction(geometry, Occlude);
-  rtcCommitGeometry(geometry);
-  return geometry;
+  return MakeUserGeometry(
+    device, traced, traced.Data->Instances->GetCount(), { ComputeBounds, Intersect, Occlude });
 }
 
 }

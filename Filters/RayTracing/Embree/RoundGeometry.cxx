@@ -344,14 +344,7 @@ RTCGeometry MakeRoundGeometry(RTCDevice device, TracedSurface& traced)
     isGrouped ? SortByMortonCode(traced.Data->Positions) : std::vector<std::uint32_t>();
   const std::size_t primitives =
     isGrouped ? (count + SpheresPerGroup - 1) / SpheresPerGroup : count;
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned int>(primitives));
-  rtcSetGeometryUserData(geometry, &traced);
-  rtcSetGeometryBoundsFunction(geometry, ComputeBounds, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, Intersect);
-  rtcSetGeometryOccludedFunction(geometry, Occlude);
-  rtcCommitGeometry(geometry);
-  return geometry;
+  return MakeUserGeometry(device, traced, primitives, { ComputeBounds, Intersect, Occlude });
 }
 
 }

@@ -177,15 +177,8 @@ void Occlude(const RTCOccludedFunctionNArguments* args)
 
 RTCGeometry MakeSliverGeometry(RTCDevice device, TracedSurface& traced)
 {
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(
-    geometry, traced.Cells ? static_cast<unsigned int>(traced.Cells->GetNumberOfCells()) : 1);
-  rtcSetGeometryUserData(geometry, &traced);
-  rtcSetGeometryBoundsFunction(geometry, ComputeBounds, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, Intersect);
-  rtcSetGeometryOccludedFunction(geometry, Occlude);
-  rtcCommitGeometry(geometry);
-  return geometry;
+  return MakeUserGeometry(device, traced, traced.Cells ? traced.Cells->GetNumberOfCells() : 1,
+    { ComputeBounds, Intersect, Occlude });
 }
 
 }

@@ -13,6 +13,28 @@
 namespace penumbra
 {
 
+/// Callbacks of Embree for the primitives of a surface that are not Embree's own.
+struct UserFunctions
+{
+  RTCBoundsFunction ComputeBounds;
+  RTCIntersectFunctionN Intersect;
+  RTCOccludedFunctionN Occlude;
+};
+
+/// Makes a geometry of `count` primitives of a surface. `traced` must outlive it.
+inline RTCGeometry MakeUserGeometry(
+  RTCDevice device, TracedSurface& traced, std::size_t count, const UserFunctions& functions)
+{
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned int>(count));
+  rtcSetGeometryUserData(geometry, &traced);
+  rtcSetGeometryBoundsFunction(geometry, functions.ComputeBounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, functions.Intersect);
+  rtcSetGeometryOccludedFunction(geometry, functions.Occlude);
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
 /// Returns the geometry of a surface of triangles; `traced` must outlive it. Rays skip culled
 /// sides. Hits that may coincide with other surfaces are collected in QueryContext::Candidates.
 /// Lines and points do not occlude. Throws std::bad_alloc.

@@ -3,6 +3,7 @@
 #include "RecordSplatter.h"
 
 #include "Frame/OpenGLFunctions.h"
+#include "Frame/Uniforms.h"
 #include "Records/RecordOctree.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -211,9 +212,7 @@ bool RecordSplatter::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& im
     return false;
   }
   const ScreenTransform& view = image.GetView();
-  const float pixelSize[2] = { 1.f / static_cast<float>(view.Width),
-    1.f / static_cast<float>(view.Height) };
-  program->SetUniform2f("pixelSize", pixelSize);
+  SetPixelSize(program, "pixelSize", view.Width, view.Height);
   this->Mean.BindTexture("values", this->SplatSums[0]);
   this->Mean.BindTexture("offsets", this->SplatSums[1]);
   const bool single =
@@ -227,16 +226,8 @@ bool RecordSplatter::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& im
 
 void RecordSplatter::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (vtkSmartPointer<vtkTextureObject>* texture :
-    { &this->Surfaces, &this->RecordTexture, &this->SplatSums[0], &this->SplatSums[1],
-      &this->SplatSums[2], &this->SplatSums[3], &this->SplatSums[4] })
-  {
-    if (*texture)
-    {
-      (*texture)->ReleaseGraphicsResources(window);
-      *texture = nullptr;
-    }
-  }
+  Release(window, this->Surfaces, this->RecordTexture, this->SplatSums[0], this->SplatSums[1],
+    this->SplatSums[2], this->SplatSums[3], this->SplatSums[4]);
   if (this->Vertices)
   {
     this->Vertices->ReleaseGraphicsResources();

@@ -7,7 +7,9 @@
 #ifndef penumbra_PassSlots_h
 #define penumbra_PassSlots_h
 
+#include "vtkNew.h"
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
+#include "vtkSetGet.h"
 
 #include <functional>
 #include <vector>
@@ -52,6 +54,28 @@ VTKPENUMBRARENDERINGSCREENSPACE_EXPORT std::vector<PassSlot> EnsurePassSlots(vtk
 /// are removed, too.
 VTKPENUMBRARENDERINGSCREENSPACE_EXPORT void RemovePass(
   vtkRenderer* renderer, vtkImageProcessingPass* pass);
+
+/// Returns the first pass of a class in `renderer`. If there is none, inserts a new one in the slot that
+/// choose(slots) returns. Returns null, with a warning, if `renderer` is null.
+template <typename Pass, typename Choose>
+Pass* AddPass(vtkRenderer* renderer, const Choose& choose)
+{
+  if (!renderer)
+  {
+    vtkGenericWarningMacro("The renderer is null; pass a vtkRenderer to AddTo().");
+    return nullptr;
+  }
+  if (Pass* present = FindPassOf<Pass>(FindPassSlots(renderer)))
+  {
+    return present;
+  }
+  const PassSlot slot = choose(EnsurePassSlots(renderer));
+  vtkNew<Pass> pass;
+  pass->SetDelegatePass(slot.Pass);
+  pass->SetOpaqueOnly(slot.OpaqueOnly);
+  slot.Set(pass);
+  return pass;
+}
 
 /// Prepares `pass` to render in `window`, whose context is current. If `last` is another window,
 /// releases the resources of `pass` in the context of `last`. Sets `last` to `window`.

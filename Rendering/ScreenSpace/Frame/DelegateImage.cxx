@@ -4,6 +4,7 @@
 
 #include "OpenGLFunctions.h"
 #include "ScopedCamera.h"
+#include "Textures.h"
 #include "vtkFrameBufferObjectBase.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -289,25 +290,12 @@ int DelegateImage::DrawToTarget(const vtkRenderState* state, vtkRenderPass* dele
 
 void DelegateImage::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (vtkSmartPointer<vtkTextureObject>* texture :
-    { &this->Color, &this->Depth, &this->SampleDepth })
+  if (this->UsesTarget)
   {
-    if (*texture && !this->UsesTarget)
-    {
-      (*texture)->ReleaseGraphicsResources(window);
-    }
-    *texture = nullptr;
+    this->Color = this->Depth = this->SampleDepth = nullptr;
   }
   this->UsesTarget = false;
-  for (vtkSmartPointer<vtkOpenGLFramebufferObject>* framebuffer :
-    { &this->Framebuffer, &this->Resolved })
-  {
-    if (*framebuffer)
-    {
-      (*framebuffer)->ReleaseGraphicsResources(window);
-      *framebuffer = nullptr;
-    }
-  }
+  Release(window, this->Color, this->Depth, this->SampleDepth, this->Framebuffer, this->Resolved);
 }
 
 }

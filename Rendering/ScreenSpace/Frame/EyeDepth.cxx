@@ -124,14 +124,7 @@ bool EyeDepth::Fill(vtkOpenGLRenderWindow* window, const DelegateImage& image)
 
 void EyeDepth::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (vtkSmartPointer<vtkTextureObject>& texture : this->Textures)
-  {
-    if (texture)
-    {
-      texture->ReleaseGraphicsResources(window);
-      texture = nullptr;
-    }
-  }
+  Release(window, this->Textures[0], this->Textures[1]);
   this->Differences.ReleaseGraphicsResources();
   this->HasDifferences = false;
   this->Linearize.ReleaseGraphicsResources(window);

@@ -4,6 +4,7 @@
 
 #include "ScreenSpaceConstants.h"
 #include "Stage.h"
+#include "Uniforms.h"
 
 #include "vtkCamera.h"
 #include "vtkMath.h"
@@ -27,12 +28,6 @@ Matrix Copy(vtkMatrix4x4* matrix)
   Matrix copy;
   std::copy_n(matrix->GetData(), 16, copy.begin());
   return copy;
-}
-
-void SetVector(vtkShaderProgram* program, const char* name, double x, double y)
-{
-  const float values[2] = { static_cast<float>(x), static_cast<float>(y) };
-  program->SetUniform2f(name, values);
 }
 
 }
@@ -256,16 +251,22 @@ ScreenTransform ScreenTransform::Downsampled(int block) const
   return view;
 }
 
-void ScreenTransform::SetUniforms(vtkShaderProgram* program) const
+void ScreenTransform::SetPixelUniforms(
+  vtkShaderProgram* program, const char* toEye, const char* skew, const char* size) const
 {
   const double unit = this->Parallel ? this->Unit : 1.0;
   const float pixelToEye[4] = { static_cast<float>(this->Scale[0] / unit),
     static_cast<float>(this->Scale[1] / unit), static_cast<float>(this->Offset[0] / unit),
     static_cast<float>(this->Offset[1] / unit) };
-  program->SetUniform4f("pixelToEye", pixelToEye);
-  program->SetUniformf("pixelSkew", static_cast<float>(this->Skew / unit));
+  program->SetUniform4f(toEye, pixelToEye);
+  SetNumber(program, skew, this->Skew / unit);
+  SetPixelSize(program, size, this->Width, this->Height);
+}
+
+void ScreenTransform::SetUniforms(vtkShaderProgram* program) const
+{
+  this->SetPixelUniforms(program, "pixelToEye", "pixelSkew", "pixelSize");
   program->SetUniformf("perspective", this->Parallel ? 0.f : 1.f);
-  SetVector(program, "pixelSize", 1.0 / this->Width, 1.0 / this->Height);
   const auto [origin, slope] = this->DepthToEye();
   SetVector(program, "depthToEye", origin, slope);
 }

@@ -59,6 +59,9 @@ struct VTKPENUMBRARENDERINGSCREENSPACE_EXPORT ScreenTransform
 
   /// Sets the uniforms of vtkPenumbraViewLib.glsl.
   void SetUniforms(vtkShaderProgram* program) const;
+  /// Sets those of them that transform pixels to the plane at eye depth 1.
+  void SetPixelUniforms(
+    vtkShaderProgram* program, const char* toEye, const char* skew, const char* size) const;
 
   /// Returns the transform from eye coordinates of this view to those of `other`, each in its unit.
   /// `motion`, if given, is applied in world coordinates in between. The product is computed in

@@ -6,10 +6,10 @@
 #ifndef penumbra_Stage_h
 #define penumbra_Stage_h
 
+#include "Textures.h"
+
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro, which tests need
-#include "vtkSmartPointer.h"
-#include "vtkTextureObject.h"
 
 #include <memory>
 #include <string>
@@ -133,14 +133,6 @@ public:
 private:
   std::unique_ptr<SavedState> Saved;
 };
-
-/// Ensures that `texture` is a float texture of this size, with nearest filtering. A new texture is
-/// cleared to zero; an existing one of the right size is kept. Returns whether the texture is new.
-VTKPENUMBRARENDERINGSCREENSPACE_EXPORT bool Allocate(vtkSmartPointer<vtkTextureObject>& texture,
-  vtkOpenGLRenderWindow* window, int width, int height, int components);
-
-/// Reads all values of a float texture, in row-major order.
-VTKPENUMBRARENDERINGSCREENSPACE_EXPORT std::vector<float> ReadBack(vtkTextureObject* texture);
 
 }
 #endif

@@ -166,14 +166,7 @@ bool ActorMotion::Draw(vtkRenderer* renderer, DelegateImage& image, const EyeDep
 
 void ActorMotion::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (vtkSmartPointer<vtkTextureObject>* texture : { &this->Target, &this->Matrices })
-  {
-    if (*texture)
-    {
-      (*texture)->ReleaseGraphicsResources(window);
-      *texture = nullptr;
-    }
-  }
+  Release(window, this->Target, this->Matrices);
 }
 
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BilateralFilter.h"
 
+#include "Frame/Uniforms.h"
+
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPenumbraBilateralFS.h"
 #include "vtkPenumbraBilateralLib.h"
@@ -85,9 +87,7 @@ bool BilateralFilter::Copy(vtkOpenGLRenderWindow* window, const DelegateImage& i
   {
     return false;
   }
-  const float pixelSize[2] = { 1.f / static_cast<float>(target->GetWidth()),
-    1.f / static_cast<float>(target->GetHeight()) };
-  program->SetUniform2f("pixelSize", pixelSize);
+  SetPixelSize(program, "pixelSize", target->GetWidth(), target->GetHeight());
   this->Mean.BindTexture("values", values);
   this->Mean.Draw(parts);
   return true;

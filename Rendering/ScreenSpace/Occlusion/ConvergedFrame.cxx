@@ -3,6 +3,7 @@
 #include "ConvergedFrame.h"
 
 #include "Frame/OpenGLFunctions.h"
+#include "Frame/Uniforms.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -19,15 +20,9 @@ namespace penumbra
 namespace
 {
 
-void SetVector(vtkShaderProgram* program, const char* name, double x, double y)
+void SetTexelSize(vtkShaderProgram* program, const char* name, vtkTextureObject* texture)
 {
-  const float values[2] = { static_cast<float>(x), static_cast<float>(y) };
-  program->SetUniform2f(name, values);
-}
-
-void SetPixelSize(vtkShaderProgram* program, const char* name, vtkTextureObject* texture)
-{
-  SetVector(program, name, 1.0 / texture->GetWidth(), 1.0 / texture->GetHeight());
+  SetPixelSize(program, name, texture->GetWidth(), texture->GetHeight());
 }
 
 }
@@ -67,8 +62,8 @@ bool ConvergedFrame::Store(vtkOpenGLRenderWindow* window, const DelegateImage& i
   const int* at = image.GetViewport();
   const int* margin = image.GetMargin();
   SetVector(program, "offset", at[0] - margin[0], at[1] - margin[1]);
-  SetPixelSize(program, "targetPixelSize", depth);
-  SetPixelSize(program, "pixelSize", inputs.Occlusions);
+  SetTexelSize(program, "targetPixelSize", depth);
+  SetTexelSize(program, "pixelSize", inputs.Occlusions);
   program->SetUniformf("strength", static_cast<float>(inputs.Strength));
   this->Copy.BindTexture("depthBuffer", depth);
   this->Copy.BindTexture("occlusions", inputs.Occlusions);
@@ -90,8 +85,8 @@ bool ConvergedFrame::ApplyOcclusion(vtkOpenGLRenderWindow* window, const Delegat
   const int* at = image.GetViewport();
   const int* margin = image.GetMargin();
   SetVector(program, "offset", margin[0] - at[0], margin[1] - at[1]);
-  SetPixelSize(program, "targetPixelSize", depth);
-  SetPixelSize(program, "pixelSize", convergedFrame);
+  SetTexelSize(program, "targetPixelSize", depth);
+  SetTexelSize(program, "pixelSize", convergedFrame);
   this->Multiply.BindTexture("depthBuffer", depth);
   this->Multiply.BindTexture("convergedFrame", convergedFrame);
 

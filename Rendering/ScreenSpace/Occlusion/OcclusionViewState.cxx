@@ -474,11 +474,7 @@ void OcclusionViewState::ReleaseGraphicsResources(vtkWindow* window)
   this->Compositor.ReleaseGraphicsResources(window);
   this->StoredFrame.ReleaseGraphicsResources(window);
   this->Counter.ReleaseGraphicsResources(window);
-  if (this->Estimates)
-  {
-    this->Estimates->ReleaseGraphicsResources(window);
-    this->Estimates = nullptr;
-  }
+  Release(window, this->Estimates);
   this->Converged = false;
   this->TileConvergence.Restart();
 }

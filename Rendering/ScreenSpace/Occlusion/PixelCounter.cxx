@@ -69,14 +69,7 @@ HistoryCounts PixelCounter::Count(
 void PixelCounter::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->CountBlocks.ReleaseGraphicsResources(window);
-  for (vtkSmartPointer<vtkTextureObject>& texture : this->Counts)
-  {
-    if (texture)
-    {
-      texture->ReleaseGraphicsResources(window);
-      texture = nullptr;
-    }
-  }
+  Release(window, this->Counts[0], this->Counts[1]);
 }
 
 }

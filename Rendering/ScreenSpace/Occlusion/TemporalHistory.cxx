@@ -3,6 +3,7 @@
 #include "TemporalHistory.h"
 
 #include "Frame/OpenGLFunctions.h"
+#include "Frame/Uniforms.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraAccumulateFS.h"
@@ -57,21 +58,8 @@ void SetMotion(
 {
   const ScreenTransform& before = depth.GetPreviousView();
   const Matrix matrix = depth.GetView().EyeTransformTo(before);
-  float columns[16];
-  for (int i = 0; i < 16; ++i)
-  {
-    columns[i] = static_cast<float>(matrix[4 * (i % 4) + i / 4]);
-  }
-  program->SetUniformMatrix4x4("toPreviousEye", columns);
-  const double unit = before.Parallel ? before.Unit : 1.0;
-  const float pixelToEye[4] = { static_cast<float>(before.Scale[0] / unit),
-    static_cast<float>(before.Scale[1] / unit), static_cast<float>(before.Offset[0] / unit),
-    static_cast<float>(before.Offset[1] / unit) };
-  program->SetUniform4f("previousPixelToEye", pixelToEye);
-  program->SetUniformf("previousPixelSkew", static_cast<float>(before.Skew / unit));
-  const float pixelSize[2] = { 1.f / static_cast<float>(before.Width),
-    1.f / static_cast<float>(before.Height) };
-  program->SetUniform2f("previousPixelSize", pixelSize);
+  SetMatrix(program, "toPreviousEye", matrix);
+  before.SetPixelUniforms(program, "previousPixelToEye", "previousPixelSkew", "previousPixelSize");
   program->SetUniformf("growingHistoryWeight", static_cast<float>(settings.GrowingHistory));
   program->SetUniformf("settledHistoryWeight", static_cast<float>(settings.SettledHistory));
   program->SetUniformf("depthTolerance", static_cast<float>(settings.DepthTolerance));
@@ -178,10 +166,7 @@ bool TemporalHistory::Accumulate(vtkOpenGLRenderWindow* window, const DelegateIm
   {
     return false;
   }
-  const ScreenTransform& view = image.GetView();
-  const float pixelSize[2] = { 1.f / static_cast<float>(view.Width),
-    1.f / static_cast<float>(view.Height) };
-  program->SetUniform2f("pixelSize", pixelSize);
+  SetPixelSize(program, "pixelSize", image.GetView().Width, image.GetView().Height);
   program->SetUniformf("newSamples", static_cast<float>(samples));
   this->Sum.BindTexture("estimates", estimates);
   vtkOpenGLState* state = window->GetState();
@@ -195,14 +180,7 @@ bool TemporalHistory::Accumulate(vtkOpenGLRenderWindow* window, const DelegateIm
 
 void TemporalHistory::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (vtkSmartPointer<vtkTextureObject>& texture : this->Textures)
-  {
-    if (texture)
-    {
-      texture->ReleaseGraphicsResources(window);
-      texture = nullptr;
-    }
-  }
+  Release(window, this->Textures[0], this->Textures[1]);
   this->Reproject.ReleaseGraphicsResources(window);
   this->Validate.ReleaseGraphicsResources(window);
   this->Estimate.ReleaseGraphicsResources(window);

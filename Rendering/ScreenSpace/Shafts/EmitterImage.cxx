@@ -4,6 +4,7 @@
 
 #include "Frame/OpenGLFunctions.h"
 #include "Frame/ScopedCamera.h"
+#include "Frame/Uniforms.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -47,9 +48,7 @@ bool EmitterImage::CopyDepth(vtkOpenGLRenderWindow* window, const DelegateImage&
   {
     return false;
   }
-  const float pixelSize[2] = { 1.f / static_cast<float>(image.GetView().Width),
-    1.f / static_cast<float>(image.GetView().Height) };
-  program->SetUniform2f("pixelSize", pixelSize);
+  SetPixelSize(program, "pixelSize", image.GetView().Width, image.GetView().Height);
   program->SetUniformf("blockSize", static_cast<float>(block));
   this->DepthCopy.BindTexture("depthBuffer", image.GetDepth());
   window->GetState()->vtkglDepthFunc(GL_ALWAYS);
@@ -98,19 +97,7 @@ bool EmitterImage::Draw(const vtkRenderState* state, const DelegateImage& image,
 void EmitterImage::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->DepthCopy.ReleaseGraphicsResources(window);
-  for (vtkSmartPointer<vtkTextureObject>* texture : { &this->Color, &this->Depth })
-  {
-    if (*texture)
-    {
-      (*texture)->ReleaseGraphicsResources(window);
-      *texture = nullptr;
-    }
-  }
-  if (this->Framebuffer)
-  {
-    this->Framebuffer->ReleaseGraphicsResources(window);
-    this->Framebuffer = nullptr;
-  }
+  Release(window, this->Color, this->Depth, this->Framebuffer);
 }
 
 }

@@ -6,6 +6,8 @@
 #include "Frame/OpenGLFunctions.h"
 #include "Frame/ScopedCamera.h"
 #include "Frame/ScreenSpaceConstants.h"
+#include "Frame/Textures.h"
+#include "Frame/Uniforms.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkLightCollection.h"
@@ -377,29 +379,12 @@ void ShadowMap::SetUniforms(vtkShaderProgram* program, const ScreenTransform& vi
     const Matrix right = product;
     vtkMatrix4x4::Multiply4x4(left.data(), right.data(), product.data());
   }
-  float columns[16];
-  for (int i = 0; i < 16; ++i)
-  {
-    columns[i] = static_cast<float>(product[4 * (i % 4) + i / 4]);
-  }
-  program->SetUniformMatrix4x4("eyeToMap", columns);
+  SetMatrix(program, "eyeToMap", product);
 }
 
 void ShadowMap::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (vtkSmartPointer<vtkTextureObject>* texture : { &this->Color, &this->Depths })
-  {
-    if (*texture)
-    {
-      (*texture)->ReleaseGraphicsResources(window);
-      *texture = nullptr;
-    }
-  }
-  if (this->Framebuffer)
-  {
-    this->Framebuffer->ReleaseGraphicsResources(window);
-    this->Framebuffer = nullptr;
-  }
+  Release(window, this->Color, this->Depths, this->Framebuffer);
 }
 
 }

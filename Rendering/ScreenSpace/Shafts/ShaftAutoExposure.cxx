@@ -3,6 +3,7 @@
 #include "ShaftAutoExposure.h"
 
 #include "Frame/ScreenSpaceConstants.h"
+#include "Frame/Uniforms.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPenumbraShaftBrightnessFS.h"
@@ -78,14 +79,12 @@ bool ShaftAutoExposure::Update(vtkOpenGLRenderWindow* window, const DelegateImag
     {
       return false;
     }
-    const float size[2] = { 1.f / static_cast<float>(view.Width),
-      1.f / static_cast<float>(view.Height) };
     float color[3] = { 0.f, 0.f, 0.f };
     if (background)
     {
       std::copy_n(background, 3, color);
     }
-    program->SetUniform2f("pixelSize", size);
+    SetPixelSize(program, "pixelSize", view.Width, view.Height);
     program->SetUniform3f("backgroundColor", color);
     program->SetUniformf("background", background ? 0.f : 1.f);
     this->Brightness.BindTexture("shafts", shafts);
@@ -130,11 +129,7 @@ void ShaftAutoExposure::Reset()
 void ShaftAutoExposure::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Brightness.ReleaseGraphicsResources(window);
-  if (this->Cells)
-  {
-    this->Cells->ReleaseGraphicsResources(window);
-    this->Cells = nullptr;
-  }
+  Release(window, this->Cells);
   this->Reset();
 }
 

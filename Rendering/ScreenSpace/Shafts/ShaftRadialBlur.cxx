@@ -4,6 +4,7 @@
 
 #include "Frame/OpenGLFunctions.h"
 #include "Frame/ScreenSpaceConstants.h"
+#include "Frame/Uniforms.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -30,17 +31,6 @@ auto AsTuple(const RadialBlurSettings& s)
 {
   return std::tie(s.Steps, s.Passes, s.Geometric, s.Weight, s.Decay, s.PathRatio, s.SurfaceEmission,
     s.SkyIsImage, s.Block);
-}
-
-void SetNumber(vtkShaderProgram* program, const char* name, double value)
-{
-  program->SetUniformf(name, static_cast<float>(value));
-}
-
-void SetSize(vtkShaderProgram* program, const char* name, int width, int height)
-{
-  const float size[2] = { 1.f / static_cast<float>(width), 1.f / static_cast<float>(height) };
-  program->SetUniform2f(name, size);
 }
 
 void UseLinearFilter(vtkTextureObject* texture)
@@ -137,8 +127,8 @@ bool ShaftRadialBlur::DrawEmission(vtkOpenGLRenderWindow* window, const Delegate
   const float pixelToBackground[4] = { 1.f / static_cast<float>(size[0]),
     1.f / static_cast<float>(size[1]), -static_cast<float>(margin[0]) / static_cast<float>(size[0]),
     -static_cast<float>(margin[1]) / static_cast<float>(size[1]) };
-  SetSize(program, "pixelSize", image.GetView().Width, image.GetView().Height);
-  SetSize(program, "texelSize", coarse.Width, coarse.Height);
+  SetPixelSize(program, "pixelSize", image.GetView().Width, image.GetView().Height);
+  SetPixelSize(program, "texelSize", coarse.Width, coarse.Height);
   SetNumber(program, "hasEmitters", emitters ? 1.0 : 0.0);
   program->SetUniform4f("pixelToBackground", pixelToBackground);
   SetNumber(program, "blockSize", settings.Block);
@@ -211,20 +201,8 @@ void ShaftRadialBlur::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->EmissionStage.ReleaseGraphicsResources(window);
   this->BlurStage.ReleaseGraphicsResources(window);
-  for (vtkSmartPointer<vtkTextureObject>* texture :
-    { &this->Background, &this->Emission, &this->Intermediate[0], &this->Intermediate[1] })
-  {
-    if (*texture)
-    {
-      (*texture)->ReleaseGraphicsResources(window);
-      *texture = nullptr;
-    }
-  }
-  if (this->Copy)
-  {
-    this->Copy->ReleaseGraphicsResources(window);
-    this->Copy = nullptr;
-  }
+  Release(window, this->Background, this->Emission, this->Intermediate[0], this->Intermediate[1],
+    this->Copy);
 }
 
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShaftSettings.h"
 
+#include "Frame/Uniforms.h"
+
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -18,11 +20,6 @@ auto AsTuple(const ShaftSettings& s)
   return std::tie(s.Channels, s.Falloff, s.ScaleHeight, s.BaseHeight, s.Up, s.Phase, s.Asymmetry,
     s.Exposure, s.Radial, s.RadialBlur, s.Thickness, s.MapSize, s.MapSteps, s.Steps, s.Block,
     s.Bounded, s.Bounds, s.Prepass, s.Emitters, s.AutomaticTone, s.Unit, s.Range);
-}
-
-void SetNumber(vtkShaderProgram* program, const char* name, double value)
-{
-  program->SetUniformf(name, static_cast<float>(value));
 }
 
 void SetBox(

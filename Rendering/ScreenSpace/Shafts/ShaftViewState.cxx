@@ -3,6 +3,7 @@
 #include "ShaftViewState.h"
 
 #include "Frame/OpenGLFunctions.h"
+#include "Frame/Uniforms.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -43,17 +44,6 @@ namespace penumbra
 
 namespace
 {
-
-void SetSize(vtkShaderProgram* program, const char* name, double width, double height)
-{
-  const float size[2] = { static_cast<float>(1.0 / width), static_cast<float>(1.0 / height) };
-  program->SetUniform2f(name, size);
-}
-
-void SetNumber(vtkShaderProgram* program, const char* name, double value)
-{
-  program->SetUniformf(name, static_cast<float>(value));
-}
 
 /// Assembles a shader with the libraries for a type of light and of medium.
 std::string AssembleFor(bool positional, const ShaftSettings& settings, const char* source,
@@ -174,7 +164,7 @@ bool ShaftViewState::ReuseShafts(const vtkRenderState* state, vtkRenderPass* del
   const ScreenTransform& view = this->TargetDepth.GetView();
   view.SetUniforms(program);
   program->SetUniform2f("offset", this->GetOffset().data());
-  SetSize(program, "shaftsPixelSize", this->Shafts->GetWidth(), this->Shafts->GetHeight());
+  SetPixelSize(program, "shaftsPixelSize", this->Shafts->GetWidth(), this->Shafts->GetHeight());
   SetNumber(program, "gain", this->GetGain());
   this->Reuse.BindTexture("depthBuffer", this->Target.GetDepth());
   this->Reuse.BindTexture("eyeDepths", this->TargetDepth.GetCurrent());
@@ -243,7 +233,7 @@ bool ShaftViewState::FillCoarseDepths()
   {
     return false;
   }
-  SetSize(program, "pixelSize", this->Depth.GetView().Width, this->Depth.GetView().Height);
+  SetPixelSize(program, "pixelSize", this->Depth.GetView().Width, this->Depth.GetView().Height);
   SetNumber(program, "blockSize", this->Settings.Block);
   this->Downsample.BindTexture("eyeDepths", this->Depth.GetCurrent());
   this->Downsample.Draw();
@@ -360,7 +350,7 @@ bool ShaftViewState::Scatter(
   const bool exact = this->Settings.Radial && this->Settings.Block == 1;
   program->SetUniformi("isColored", this->Settings.IsColored());
   SetNumber(program, "interleaved", exact ? 0.0 : 1.0);
-  SetSize(program, "texelSize", fractions->GetWidth(), fractions->GetHeight());
+  SetPixelSize(program, "texelSize", fractions->GetWidth(), fractions->GetHeight());
   stage.BindTexture("eyeDepths", this->Depth.GetCurrent());
   stage.BindTexture("litFractions", fractions);
   stage.Draw();
@@ -393,7 +383,7 @@ bool ShaftViewState::Composite()
   }
   const ScopedBlending target(this->Window, this->Image.GetViewport(), true);
   program->SetUniform2f("offset", this->GetOffset().data());
-  SetSize(program, "pixelSize", this->Depth.GetView().Width, this->Depth.GetView().Height);
+  SetPixelSize(program, "pixelSize", this->Depth.GetView().Width, this->Depth.GetView().Height);
   SetNumber(program, "gain", this->GetGain());
   SetNumber(program, "background", this->Settings.DelegateDrawsBackground ? 1.0 : 0.0);
   this->Composition.BindTexture("colors", this->Image.GetColor());
@@ -450,7 +440,7 @@ bool ShaftViewState::BlendOverTarget()
   }
   const ScopedBlending target(this->Window, this->Image.GetViewport(), false);
   program->SetUniform2f("offset", this->GetOffset().data());
-  SetSize(program, "pixelSize", this->Depth.GetView().Width, this->Depth.GetView().Height);
+  SetPixelSize(program, "pixelSize", this->Depth.GetView().Width, this->Depth.GetView().Height);
   SetNumber(program, "gain", this->GetGain());
   this->MediumBlend.BindTexture("shafts", this->Shafts);
   this->MediumBlend.Draw();
@@ -512,18 +502,12 @@ void ShaftViewState::ReleaseGraphicsResources(vtkWindow* window)
   {
     stage->ReleaseGraphicsResources(window);
   }
-  this->LitFractions.push_back(this->CoarseDepths);
-  this->LitFractions.push_back(this->Shafts);
-  for (vtkTextureObject* texture : this->LitFractions)
+  for (vtkSmartPointer<vtkTextureObject>& texture : this->LitFractions)
   {
-    if (texture)
-    {
-      texture->ReleaseGraphicsResources(window);
-    }
+    Release(window, texture);
   }
   this->LitFractions.clear();
-  this->CoarseDepths = nullptr;
-  this->Shafts = nullptr;
+  Release(window, this->CoarseDepths, this->Shafts);
   this->HasLitFractions = false;
   this->HasShafts = false;
   this->HasTargetDepth = false;

@@ -60,14 +60,8 @@ float meanInScatteringWeight(ViewRay ray)
 // In-scattering of a fully lit ray for a light of color 1.
 float inScattering(ViewRay ray)
 {
-  const int intervals = 32;
-  float sum = 0.0;
-  for (int i = 0; i < intervals; ++i)
-  {
-    sum += transmittanceToLight(ray, (float(i) + 0.5) / float(intervals));
-  }
   float path = extinguishedFraction(ray.column) / extinction;
-  return scatteredLight(path, dot(light.xyz, ray.direction)) * sum / float(intervals);
+  return scatteredLight(path, dot(light.xyz, ray.direction)) * meanInScatteringWeight(ray);
 }
 
 // Lit fraction of the in-scattering; each bit marks one of 64 bins as shadowed.
