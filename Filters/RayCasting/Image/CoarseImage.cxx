@@ -44,14 +44,16 @@ typename LightTerms<N>::Value EstimateLight(
   const LightRays<N>& source, const LitLayer& layer, RayCounts& counts)
 {
   constexpr int Size = LightRays<N>::PacketSize;
-  const OwenSobolSequence sequence(HashPoint(layer.Position, layer.Normal));
+  const std::uint32_t seed = HashPoint(layer.Position, layer.Normal);
+  const OwenSobolSequence sequence(seed);
+  const OwenSobolSequence lights(MixBits(seed));
   const SurfaceNormals normals(layer.Normal, layer.Geometric);
   const glm::mat3 frame = FrameFromNormal(layer.Normal);
   typename LightTerms<N>::Value sum(0.f);
   for (std::uint32_t first = 0; first < RaysOfLayer; first += Size)
   {
     Ray rays[Size];
-    typename LightRays<N>::Start starts[Size];
+    LightReceiver starts[Size];
     typename LightTerms<N>::Value values[Size];
     for (std::uint32_t i = 0; i < Size; ++i)
     {
@@ -60,10 +62,11 @@ typename LightTerms<N>::Value EstimateLight(
       rays[i].Direction =
         normals.ReflectAbove(frame * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
       rays[i].Far = source.GetRadius();
-      starts[i] = { layer.Position, normals };
+      starts[i] = { layer.Position, normals,
+        lights.At(OwenSobolSequence::ShuffleIndex(first + i, seed)) };
     }
     long long traced = Size;
-    source.Trace(rays, starts, values, traced);
+    source.Trace(rays, starts, Size, values, traced);
     (LightTerms<N>::HasRadiance ? counts.Indirect : counts.Occlusion) += traced;
     for (const auto& value : values)
     {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightRays.h"
 
-#include "Shading/Illumination.h"
 #include "Shading/TranslucentOcclusion.h"
 
 #include <algorithm>
@@ -60,8 +59,8 @@ typename LightRays<N>::Value LightRays<N>::GetSquaredRange() const
 }
 
 template <int N>
-void LightRays<N>::Trace(
-  const Ray* rays, const Start* starts, Value* values, long long& additional) const
+void LightRays<N>::Trace(const Ray* rays, const LightReceiver* starts, int count, Value* values,
+  long long& additional) const
 {
   if constexpr (LightTerms<N>::HasOcclusion)
   {
@@ -87,28 +86,27 @@ void LightRays<N>::Trace(
   }
   if constexpr (LightTerms<N>::HasRadiance)
   {
-    this->TraceRadiance(rays, starts, values, additional);
+    this->TraceRadiance(rays, starts, count, values, additional);
   }
 }
 
 template <int N>
-void LightRays<N>::TraceRadiance(
-  const Ray* rays, const Start* starts, Value* values, long long& additional) const
+void LightRays<N>::TraceRadiance(const Ray* rays, const LightReceiver* starts, int count,
+  Value* values, long long& additional) const
 {
   const Illumination& light = *this->Effects.Light;
   const IlluminationSettings& settings = light.GetSettings();
   Hit hits[PacketSize];
   light.GetRays().Intersect16(rays, hits);
-  for (int i = 0; i < PacketSize; ++i)
+  glm::vec3 sampled[PacketSize];
+  light.SampleLights(starts, static_cast<std::uint32_t>(count), sampled, additional);
+  for (int i = 0; i < count; ++i)
   {
-    if (rays[i].Near > rays[i].Far)
-    {
-      continue;
-    }
     std::uint32_t random = MixBits(HashPoint(rays[i].Origin, rays[i].Direction));
     const glm::vec3 radiance = settings.Albedo *
-      light.FollowPath(rays[i], hits[i], starts[i].Position, starts[i].Normals, settings.Bounces,
-        random, additional);
+      (sampled[i] +
+        light.FollowPath(
+          rays[i], hits[i], starts[i].Normals.Shading, settings.Bounces, random, additional));
     for (int c = 0; c < 3; ++c)
     {
       values[i][LightTerms<N>::FirstRadiance + c] = radiance[c];

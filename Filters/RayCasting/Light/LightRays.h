@@ -8,7 +8,7 @@
 #include "Embree/RayScene.h"
 #include "LightSite.h"
 #include "Shading/DistanceFalloff.h"
-#include "Shading/HemisphereSampling.h"
+#include "Shading/Illumination.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
 #include <limits>
@@ -17,8 +17,6 @@
 
 namespace penumbra
 {
-
-class Illumination;
 
 /// Occlusion along rays.
 class VTKPENUMBRAFILTERSRAYCASTING_EXPORT OcclusionRays
@@ -72,13 +70,6 @@ public:
   static constexpr int PacketSize = OcclusionRays::PacketSize;
   using Value = typename LightTerms<N>::Value;
 
-  /// The point of a surface at which a ray starts. Only indirect light needs it.
-  struct Start
-  {
-    glm::vec3 Position{ 0.f };
-    SurfaceNormals Normals{ glm::vec3(0.f) };
-  };
-
   /// `effects` must outlive this object.
   explicit LightRays(const LightEffects& effects)
     : Effects(effects)
@@ -98,13 +89,15 @@ public:
   /// Returns the squared range of values.
   Value GetSquaredRange() const;
 
-  /// Computes the values along PacketSize rays; those with Near > Far are inactive. Adds the
-  /// number of rays that were traced beyond the first hits to `additional`.
-  void Trace(const Ray* rays, const Start* starts, Value* values, long long& additional) const;
+  /// Computes the values along PacketSize rays, of which the first `count` are active: the others have Near > Far.
+  /// They start at `starts`, which only indirect light needs. Adds the number of rays that were traced beyond the
+  /// first hits to `additional`.
+  void Trace(const Ray* rays, const LightReceiver* starts, int count, Value* values,
+    long long& additional) const;
 
 private:
-  void TraceRadiance(
-    const Ray* rays, const Start* starts, Value* values, long long& additional) const;
+  void TraceRadiance(const Ray* rays, const LightReceiver* starts, int count, Value* values,
+    long long& additional) const;
 
   const LightEffects& Effects;
 };

@@ -59,6 +59,7 @@ enum Sequences
   PixelPositions,
   Directions,
   MergedLayers,
+  LightSamples,
 };
 
 /// Returns the number of samples that determine the parts of a pixel: a power of two.
@@ -356,6 +357,7 @@ void SiteSampler<N>::QueueRays(
     return;
   }
   const OwenSobolSequence sequence = MakeSequence(this->Seed, half, Directions);
+  const OwenSobolSequence lights = MakeSequence(this->Seed, half, LightSamples);
   const SurfaceNormals normals(layer.Normal, layer.Geometric);
   const glm::mat3 frame = FrameFromNormal(layer.Normal);
   const glm::vec3 origin = layer.Position + RayOriginOffset(layer.Position) * layer.Geometric;
@@ -371,7 +373,9 @@ void SiteSampler<N>::QueueRays(
     this->Owners[this->Count] = { request.Cell, site, half };
     if constexpr (LightTerms<N>::HasRadiance)
     {
-      this->Starts[this->Count] = { layer.Position, normals };
+      const std::uint32_t index =
+        OwenSobolSequence::ShuffleIndex(request.FirstRay + i, this->Seed + 2 * Halves + half);
+      this->Starts[this->Count] = { layer.Position, normals, lights.At(index) };
     }
     ++this->TracedRays;
     if (++this->Count == LightRays<N>::PacketSize)
@@ -393,7 +397,7 @@ void SiteSampler<N>::Flush()
     this->Rays[i].Far = -1.f;
   }
   typename LightTerms<N>::Value values[LightRays<N>::PacketSize];
-  this->Source.Trace(this->Rays, this->Starts, values, this->TracedRays);
+  this->Source.Trace(this->Rays, this->Starts, this->Count, values, this->TracedRays);
   for (int i = 0; i < this->Count; ++i)
   {
     LightSite<N>& site = this->Sites[this->Owners[i].Cell][this->Owners[i].Site];

@@ -83,7 +83,7 @@ private:
   std::vector<LitLayer> Layers[CameraRayTracer::PacketSize];
 
   Ray Rays[LightRays<N>::PacketSize];
-  typename LightRays<N>::Start Starts[LightRays<N>::PacketSize];
+  LightReceiver Starts[LightRays<N>::PacketSize];
   struct RayOwner
   {
     int Cell;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace penumbra
 {
@@ -156,20 +157,21 @@ glm::vec3 Illumination::IncidentRadiance(
   return sum;
 }
 
-void Illumination::SunContributions(glm::vec3 point, const SurfaceNormals& normals,
-  const glm::vec2* samples, std::uint32_t count, glm::vec3* contributions, long long& rays) const
+void Illumination::SunContributions(const LightReceiver* receivers, std::uint32_t count,
+  glm::vec3* contributions, long long& rays) const
 {
   std::array<Ray, PacketSize> packet;
   packet.fill(MakeInactiveRay());
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    const EnvironmentMap::Sun sun = this->Settings.Map->SampleSun(samples[i]);
+    const SurfaceNormals& normals = receivers[i].Normals;
+    const EnvironmentMap::Sun sun = this->Settings.Map->SampleSun(receivers[i].Sample);
     const float cosine = glm::dot(normals.Shading, sun.Direction);
     contributions[i] = glm::vec3(0.f);
     if (cosine > 0.f && glm::dot(normals.Geometric, sun.Direction) > 0.f)
     {
       contributions[i] = cosine / Pi * sun.Weight;
-      packet[i] = SpawnRay(point, normals, sun.Direction);
+      packet[i] = SpawnRay(receivers[i].Position, normals, sun.Direction);
     }
   }
   std::array<float, PacketSize> transmittances{};
@@ -190,18 +192,19 @@ void Illumination::SunContributions(glm::vec3 point, const SurfaceNormals& norma
 }
 
 // Rays are traced to the nearest hit: coincident surfaces may hide the emitter.
-void Illumination::EmitterContributions(glm::vec3 point, const SurfaceNormals& normals,
-  const glm::vec2* samples, std::uint32_t count, glm::vec3* contributions, long long& rays) const
+void Illumination::EmitterContributions(const LightReceiver* receivers, std::uint32_t count,
+  glm::vec3* contributions, long long& rays) const
 {
-  const Ray origin = SpawnRay(point, normals, normals.Geometric);
   std::array<EmitterTree::Sample, PacketSize> emitters;
   std::array<Ray, PacketSize> packet;
   std::array<Hit, PacketSize> hits;
   packet.fill(MakeInactiveRay());
   for (std::uint32_t i = 0; i < count; ++i)
   {
+    const SurfaceNormals& normals = receivers[i].Normals;
+    const Ray origin = SpawnRay(receivers[i].Position, normals, normals.Geometric);
     emitters[i] =
-      this->SampledEmitters->SampleDirection(origin.Origin, normals.Shading, samples[i]);
+      this->SampledEmitters->SampleDirection(origin.Origin, normals.Shading, receivers[i].Sample);
     if (emitters[i].Density > 0.f && glm::dot(emitters[i].Direction, normals.Geometric) > 0.f)
     {
       packet[i] = origin;
@@ -223,7 +226,8 @@ void Illumination::EmitterContributions(glm::vec3 point, const SurfaceNormals& n
   for (std::uint32_t i = 0; i < count; ++i)
   {
     contributions[i] = packet[i].Near <= packet[i].Far
-      ? this->EmitterContribution(normals.Shading, packet[i], hits[i], emitters[i], rays)
+      ? this->EmitterContribution(
+          receivers[i].Normals.Shading, packet[i], hits[i], emitters[i], rays)
       : glm::vec3(0.f);
   }
 }
@@ -265,11 +269,20 @@ Illumination::SampledLight Illumination::EstimateSampledLight(
 {
   SampledLight result;
   const std::uint32_t seed = MixBits(HashPoint(point, normals.Shading));
+  std::array<LightReceiver, PacketSize> receivers;
+  receivers.fill({ point, normals, glm::vec2(0.f) });
+  const auto setSamples = [&](const glm::vec2* at, std::uint32_t count) {
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      receivers[i].Sample = at[i];
+    }
+  };
   if (this->HasSuns())
   {
     const StratifiedMean suns = EstimateMeanOfBatches(
       [&](const glm::vec2* at, std::uint32_t count, glm::vec3* values) {
-        this->SunContributions(point, normals, at, count, values, rays);
+        setSamples(at, count);
+        this->SunContributions(receivers.data(), count, values, rays);
       },
       seed, FirstSunRays, MaximumSunRays, tolerance);
     result = { suns.Mean, static_cast<float>(suns.Error) };
@@ -278,7 +291,8 @@ Illumination::SampledLight Illumination::EstimateSampledLight(
   {
     const StratifiedMean emitters = EstimateMeanOfBatches(
       [&](const glm::vec2* at, std::uint32_t count, glm::vec3* values) {
-        this->EmitterContributions(point, normals, at, count, values, rays);
+        setSamples(at, count);
+        this->EmitterContributions(receivers.data(), count, values, rays);
       },
       MixBits(seed), FirstEmitterRays, MaximumEmitterRays, tolerance, FirstEmitterErrorFraction);
     result.Mean += glm::vec3(emitters.Mean);
@@ -287,17 +301,14 @@ Illumination::SampledLight Illumination::EstimateSampledLight(
   return result;
 }
 
-glm::vec3 Illumination::SampleLights(
-  glm::vec3 point, const SurfaceNormals& normals, std::uint32_t& random, long long& rays) const
+void Illumination::SampleLights(
+  const LightReceiver* receivers, std::uint32_t count, glm::vec3* estimates, long long& rays) const
 {
-  glm::vec3 sum(0.f);
-  const auto add = [&](auto contributions) {
-    const float u = NextFloat(random);
-    const float v = NextFloat(random);
-    const glm::vec2 sample(u, v);
-    glm::vec3 contribution;
-    (this->*contributions)(point, normals, &sample, 1, &contribution, rays);
-    sum += contribution;
+  std::fill(estimates, estimates + count, glm::vec3(0.f));
+  std::array<glm::vec3, PacketSize> contributions;
+  const auto add = [&](auto contribute) {
+    (this->*contribute)(receivers, count, contributions.data(), rays);
+    std::transform(estimates, estimates + count, contributions.begin(), estimates, std::plus<>());
   };
   if (this->HasSuns())
   {
@@ -307,7 +318,20 @@ glm::vec3 Illumination::SampleLights(
   {
     add(&Illumination::EmitterContributions);
   }
-  return sum;
+}
+
+glm::vec3 Illumination::SampleLights(
+  glm::vec3 point, const SurfaceNormals& normals, std::uint32_t& random, long long& rays) const
+{
+  glm::vec3 estimate(0.f);
+  if (this->HasSuns() || this->HasSampledEmitters())
+  {
+    const float u = NextFloat(random);
+    const float v = NextFloat(random);
+    const LightReceiver receiver{ point, normals, glm::vec2(u, v) };
+    this->SampleLights(&receiver, 1, &estimate, rays);
+  }
+  return estimate;
 }
 
 glm::vec3 Illumination::TracePath(glm::vec3 point, const SurfaceNormals& normals, int bounces,
@@ -318,11 +342,13 @@ glm::vec3 Illumination::TracePath(glm::vec3 point, const SurfaceNormals& normals
   const Ray ray = SpawnRay(point, normals,
     FrameFromNormal(normals.Shading) * DiskToHemisphere(SampleUniformDiskConcentric(u, v)));
   ++rays;
-  return this->FollowPath(ray, this->Rays.Intersect(ray), point, normals, bounces, random, rays);
+  const glm::vec3 sampled = this->SampleLights(point, normals, random, rays);
+  return sampled +
+    this->FollowPath(ray, this->Rays.Intersect(ray), normals.Shading, bounces, random, rays);
 }
 
-glm::vec3 Illumination::FollowPath(const Ray& ray, const Hit& hit, glm::vec3 point,
-  const SurfaceNormals& normals, int bounces, std::uint32_t& random, long long& rays) const
+glm::vec3 Illumination::FollowPath(const Ray& ray, const Hit& hit, glm::vec3 normal, int bounces,
+  std::uint32_t& random, long long& rays) const
 {
   IrradianceFunction irradiance;
   if (bounces > 1)
@@ -331,8 +357,7 @@ glm::vec3 Illumination::FollowPath(const Ray& ray, const Hit& hit, glm::vec3 poi
       return this->TracePath(next, nextNormal, bounces - 1, random, rays);
     };
   }
-  const glm::vec3 sampled = this->SampleLights(point, normals, random, rays);
-  return sampled + this->IncidentRadiance(ray, hit, normals.Shading, irradiance, rays);
+  return this->IncidentRadiance(ray, hit, normal, irradiance, rays);
 }
 
 }

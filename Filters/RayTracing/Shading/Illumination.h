@@ -35,6 +35,14 @@ struct IlluminationSettings
   }
 };
 
+/// A point of a surface, and the point of the unit square that selects the sample of the suns and emitters there.
+struct LightReceiver
+{
+  glm::vec3 Position{ 0.f };
+  SurfaceNormals Normals{ glm::vec3(0.f) };
+  glm::vec2 Sample{ 0.f };
+};
+
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT Illumination
 {
 public:
@@ -62,26 +70,30 @@ public:
     float Error = 0.f; ///< of the channel with the largest error
   };
   /// Estimates the light of the suns of the environment map and of emitters by rays toward them. Stops
-  /// when the estimated error is at most `tolerance`. Emitters are sampled if they are small and bright,
-  /// see EmitterThreshold. Their light is split between these rays and those of IncidentRadiance() by
-  /// multiple importance sampling with the power heuristic (Veach, Robust Monte Carlo Methods for
-  /// Light Transport Simulation, 1997, section 9.2), as if both were equally many.
+  /// when the estimated error is at most `tolerance`. Emitters are sampled if they are small and bright, see
+  /// EmitterThreshold. Their light is split between these rays and those of IncidentRadiance() by multiple
+  /// importance sampling with the power heuristic (Veach, Robust Monte Carlo Methods for Light Transport
+  /// Simulation, 1997, section 9.2), as if both were equally many.
   SampledLight EstimateSampledLight(
     glm::vec3 point, const SurfaceNormals& normals, double tolerance, long long& rays) const;
 
-  /// Returns an unbiased estimate of the same light from one sample of the suns and one of the
-  /// emitters.
+  /// Computes unbiased estimates of the same light at `count` points, up to 16, from one sample of the suns and
+  /// one of the emitters each.
+  void SampleLights(const LightReceiver* receivers, std::uint32_t count, glm::vec3* estimates,
+    long long& rays) const;
+  /// The same at one point with a random sample.
   glm::vec3 SampleLights(
     glm::vec3 point, const SurfaceNormals& normals, std::uint32_t& random, long long& rays) const;
 
-  /// Returns an unbiased estimate, from one path, of the mean incident radiance with at most
-  /// `bounces` - 1 reflections, including suns and sampled emitters.
+  /// Returns an unbiased estimate, from one path, of the mean incident radiance with at most `bounces` - 1
+  /// reflections, including suns and sampled emitters.
   glm::vec3 TracePath(glm::vec3 point, const SurfaceNormals& normals, int bounces,
     std::uint32_t& random, long long& rays) const;
 
-  /// TracePath() whose first ray is `ray`, distributed by the cosine to `normals`, and ends at `hit`.
-  glm::vec3 FollowPath(const Ray& ray, const Hit& hit, glm::vec3 point,
-    const SurfaceNormals& normals, int bounces, std::uint32_t& random, long long& rays) const;
+  /// TracePath() without the suns and sampled emitters that `point` sees. The first ray is `ray`, distributed
+  /// by the cosine to `normal`, and ends at `hit`.
+  glm::vec3 FollowPath(const Ray& ray, const Hit& hit, glm::vec3 normal, int bounces,
+    std::uint32_t& random, long long& rays) const;
 
   /// Returns a ray that starts at `point` on a surface, offset along the geometric normal. A
   /// direction below the surface is reflected.
@@ -104,7 +116,6 @@ public:
     double Largest = 1.0;
   };
   const SourceRadiance& GetSourceRadiance() const { return this->Sources; }
-
   const RayScene& GetRays() const { return this->Rays; }
   const IlluminationSettings& GetSettings() const { return this->Settings; }
 
@@ -114,15 +125,14 @@ private:
   {
     return this->SampledEmitters && !this->SampledEmitters->IsEmpty();
   }
-  /// Computes the contributions of samples of the suns, and of the emitters, to the mean over the
-  /// hemisphere: `count` in [1, 16] points of the unit square. Their rays are traced as one packet.
-  void SunContributions(glm::vec3 point, const SurfaceNormals& normals, const glm::vec2* samples,
-    std::uint32_t count, glm::vec3* contributions, long long& rays) const;
-  void EmitterContributions(glm::vec3 point, const SurfaceNormals& normals,
-    const glm::vec2* samples, std::uint32_t count, glm::vec3* contributions, long long& rays) const;
 
-  /// Returns the contribution of a sample whose ray first hits `hit`; follows it through translucent
-  /// layers.
+  /// Computes the contributions of samples of the suns, and of the emitters, to the means over the
+  /// hemispheres of `count` receivers, in [1, 16]. Their rays are traced as one packet.
+  void SunContributions(const LightReceiver* receivers, std::uint32_t count,
+    glm::vec3* contributions, long long& rays) const;
+  void EmitterContributions(const LightReceiver* receivers, std::uint32_t count,
+    glm::vec3* contributions, long long& rays) const;
+  /// Returns the contribution of a sample whose ray first hits `hit`; follows it through translucent layers.
   glm::vec3 EmitterContribution(
     glm::vec3 normal, Ray ray, Hit hit, const EmitterTree::Sample& emitter, long long& rays) const;
   void FindEmitters();
