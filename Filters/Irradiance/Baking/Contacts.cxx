@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <unordered_map>
 
 namespace penumbra
@@ -241,22 +242,27 @@ private:
   /// of its wedges.
   std::vector<glm::vec3> FindPlanes(std::size_t index, const std::vector<Wedge>& wedges) const
   {
-    std::vector<glm::vec3> planes;
+    std::vector<glm::vec3> normals;
     this->VisitTouching(index, [&](glm::vec3 normal) {
+      normals.push_back(normal);
+      return false;
+    });
+    // The order of the visits depends on the BVH, and so on triangles elsewhere.
+    std::sort(normals.begin(), normals.end(),
+      [](glm::vec3 a, glm::vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
+    std::vector<glm::vec3> planes;
+    for (std::size_t i = 0; i < normals.size() && planes.size() < MaximumContactPlanes; ++i)
+    {
+      const glm::vec3 normal = normals[i];
       const bool continues = std::any_of(wedges.begin(), wedges.end(),
         [&](const Wedge& wedge) { return glm::dot(wedge.Normal, normal) > ContactParallelCosine; });
-      if (continues)
-      {
-        return false;
-      }
       const bool isKnown = std::any_of(planes.begin(), planes.end(),
         [&](glm::vec3 plane) { return std::abs(glm::dot(plane, normal)) > FlatCosine; });
-      if (!isKnown)
+      if (!continues && !isKnown)
       {
         planes.push_back(normal);
       }
-      return planes.size() >= MaximumContactPlanes;
-    });
+    }
     return planes;
   }
 
