@@ -9,8 +9,8 @@
 #include "Baking/Contacts.h"
 #include "Baking/DirectLight.h"
 #include "Baking/OcclusionBaking.h"
+#include "Distribution/OccluderDistribution.h"
 #include "Embree/RayScene.h"
-#include "Execution/NaNCheck.h"
 #include "Gathering/IrradianceConstants.h"
 #include "Gathering/RayGatherer.h"
 #include "Records/Interreflection.h"
@@ -33,14 +33,15 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <memory>
-#include <new>
+#include <optional>
+#include <string>
 
 namespace
 {
@@ -171,34 +172,9 @@ int vtkPenumbraIrradianceFilter::FillInputPortInformation(int port, vtkInformati
   return 1;
 }
 
-int vtkPenumbraIrradianceFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+void vtkPenumbraIrradianceFilter::SetDistribution(penumbra::OccluderDistribution* distribution)
 {
-  this->Statistics->Initialize();
-  this->EstimatedError = std::nan("");
-  try
-  {
-    RequireNotNaN("Tolerance, Radius, PointRadius, LineRadius, Albedo and EnvironmentColor",
-      { this->Tolerance, this->Radius, this->PointRadius, this->LineRadius, this->Albedo,
-        this->EnvironmentColor[0], this->EnvironmentColor[1], this->EnvironmentColor[2] });
-    vtkSMPTools::LocalScope(
-      vtkSMPTools::Config(this->NumberOfThreads), [&]() { this->Execute(inputs, outputs); });
-  }
-  catch (const Stopped&)
-  {
-    this->Statistics->Initialize();
-  }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorMacro("Out of memory while baking. Use a smaller mesh.");
-    return 0;
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  this->Distribution = distribution;
 }
 
 void vtkPenumbraIrradianceFilter::Execute(
@@ -208,7 +184,11 @@ void vtkPenumbraIrradianceFilter::Execute(
   vtkDataObject* output = vtkDataObject::GetData(outputs);
   const int pieces = outputs->GetInformationObject(0)->Get(
     vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
-  if (pieces > 1 && !surroundings)
+  if (this->Distribution)
+  {
+    this->Distribution->GetRanks().Compare(this->ListSettings());
+  }
+  else if (pieces > 1 && !surroundings)
   {
     vtkWarningMacro("The input is one of "
       << pieces
@@ -258,47 +238,25 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
     }
     return this->GetAbortExecute() != 0;
   };
+  options.Ranks = this->Distribution ? &this->Distribution->GetRanks() : nullptr;
   BakeInput& mesh = work.Mesh;
   mesh = PrepareBakeInput(input, options, work.Progress);
   if (surroundings)
   {
     AddOccluders(surroundings, options, mesh, work.Progress);
   }
-  for (const std::string& what : mesh.SkippedAttributes)
-  {
-    vtkWarningMacro(<< what);
-  }
-  if (mesh.Unused > 0 || mesh.NotFinite > 0)
-  {
-    vtkWarningMacro(<< mesh.Unused << (this->OnCells ? " cells" : " points")
-                    << " do not belong to a surface and " << mesh.NotFinite
-                    << " are not finite or have no normal. Their value is 0.");
-  }
-  // Few such polygons and points are defects of scans that no one sees.
-  const double reported = MinimumReportedFraction * static_cast<double>(mesh.Sites.size());
-  if (static_cast<double>(mesh.DoubledPolygons) > reported)
-  {
-    vtkWarningMacro(
-      << mesh.DoubledPolygons
-      << " polygons have the same points as others that face the opposite side. These "
-         "points get the values of the polygons that come first. For values on both "
-         "sides, give each polygon its own points.");
-  }
-  if (static_cast<double>(mesh.TwoSided) > reported)
-  {
-    vtkWarningMacro(<< mesh.TwoSided
-                    << " points have no normal because their polygons face opposite sides. Their "
-                       "value is the mean of the values on their polygons.");
-  }
+  UniteBounds(options, mesh);
+  this->Warn(DescribeDefects(options, mesh));
   if (this->Quantity == DIRECT_LIGHT)
   {
     mesh.OccluderScene.Lights =
       MakeLights({ this->Lights, this->LightRadius, this->LightAngle }, mesh.OccluderScene);
-    for (const std::string& overlap : DescribeLightOverlaps(mesh.OccluderScene))
-    {
-      vtkWarningMacro(<< overlap);
-    }
   }
+  if (this->Distribution)
+  {
+    this->Exchange(work);
+  }
+  std::vector<std::string> warnings = DescribeLightOverlaps(mesh.OccluderScene);
   work.Rays = std::make_unique<RayScene>(mesh.OccluderScene, this->NumberOfThreads, work.Progress);
   SeparateContacts(*work.Rays, mesh, work.Progress);
   work.Tree.Initialize(glm::vec3(0.f), .5f);
@@ -309,23 +267,24 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
     : this->BakeOcclusion(work);
   if (!done)
   {
-    return;
+    throw Stopped();
   }
+  if (this->Quantity == IRRADIANCE)
+  {
+    warnings.push_back(DescribeBlack(work.Baked, options.Ranks));
+  }
+  if (this->Quantity == AMBIENT_OCCLUSION)
+  {
+    warnings.push_back(DescribeOccluded(work.Baked, options.Ranks));
+  }
+  if (options.Ranks)
+  {
+    options.Ranks->UniteSentences(warnings); // all ranks have finished
+  }
+  this->Warn(warnings);
   vtkDataSetAttributes* attributes = this->OnCells
     ? static_cast<vtkDataSetAttributes*>(output->GetCellData())
     : static_cast<vtkDataSetAttributes*>(output->GetPointData());
-  if (this->Quantity == IRRADIANCE && IsBlack(work.Baked))
-  {
-    vtkWarningMacro(
-      "No light of the environment reaches the points: the irradiance is 0. Set "
-      "EnvironmentColor or Environment if it is black, reverse polygons and normals that "
-      "face inward, for example with vtkReverseSense, or open closed surfaces.");
-  }
-  if (this->Quantity == AMBIENT_OCCLUSION && IsBlocked(work.Baked))
-  {
-    vtkWarningMacro("All points are occluded. Polygons and normals may face inward: reverse them, "
-                    "for example with vtkReverseSense, or with flip_faces() in PyVista.");
-  }
   const vtkIdType size = this->OnCells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
   attributes->AddArray(this->Quantity == IRRADIANCE
       ? CreateArray(mesh, work.Baked, size, "Irradiance", 3, static_cast<float>(vtkMath::Pi()))
@@ -334,11 +293,39 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
   this->Report(work, size);
 }
 
+double vtkPenumbraIrradianceFilter::ComputeRadius(const Work& work) const
+{
+  return this->Radius > 0.0 ? this->Radius : DefaultRadiusFraction * work.Mesh.Diagonal;
+}
+
+void vtkPenumbraIrradianceFilter::Exchange(Work& work)
+{
+  Scene& scene = work.Mesh.OccluderScene;
+  std::vector<glm::vec3> points;
+  for (const RecordCandidate& site : work.Mesh.Sites)
+  {
+    points.push_back(site.Position);
+  }
+  std::optional<double> radius = std::numeric_limits<double>::infinity();
+  if (this->Quantity == AMBIENT_OCCLUSION)
+  {
+    radius = this->ComputeRadius(work) * scene.Scale;
+  }
+  else if (this->Quantity == DIRECT_LIGHT)
+  {
+    radius.reset();
+  }
+  const std::uint32_t first = this->Distribution->Exchange(scene, points, radius);
+  for (std::uint32_t& corner : work.Mesh.Corners)
+  {
+    corner += first;
+  }
+}
+
 bool vtkPenumbraIrradianceFilter::BakeOcclusion(Work& work)
 {
   const Scene& scene = work.Mesh.OccluderScene;
-  const double radius =
-    this->Radius > 0.0 ? this->Radius : DefaultRadiusFraction * work.Mesh.Diagonal;
+  const double radius = this->ComputeRadius(work);
   const OcclusionBakingSettings settings{ this->Tolerance, { radius, this->Falloff },
     this->Method == AUTOMATIC };
   const OcclusionGatherer rayGatherer(

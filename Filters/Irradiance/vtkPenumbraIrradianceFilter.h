@@ -27,14 +27,21 @@
 #include "vtkPenumbraFiltersIrradianceModule.h" // for export macro
 #include "vtkSmartPointer.h"                    // for members
 
-#include <array>  // for members
-#include <vector> // for members
+#include <array>   // for members
+#include <string>  // for members
+#include <utility> // for members
+#include <vector>  // for members
 
 class vtkFieldData;
 class vtkPenumbraEnvironment;
 class vtkPenumbraGatherer;
 class vtkPointSet;
 class vtkPolyData;
+
+namespace penumbra
+{
+class OccluderDistribution;
+}
 
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT vtkPenumbraIrradianceFilter
   : public vtkPassInputTypeAlgorithm
@@ -249,6 +256,9 @@ protected:
   vtkPenumbraIrradianceFilter();
   ~vtkPenumbraIrradianceFilter() override;
 
+  /// Sets the other ranks that have parts of the data; null: none.
+  void SetDistribution(penumbra::OccluderDistribution* distribution);
+
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(
     vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
@@ -262,6 +272,10 @@ private:
   void BakeOnto(vtkPointSet* input, vtkPolyData* surroundings, vtkPointSet* output);
   bool BakeOcclusion(Work& work);
   bool BakeIrradiance(Work& work);
+  std::vector<std::pair<std::string, std::string>> ListSettings(); ///< that ranks must agree on
+  void Warn(const std::vector<std::string>& sentences);
+  double ComputeRadius(const Work& work) const; ///< of occlusion, world units
+  void Exchange(Work& work);                    ///< with other ranks
   void Report(const Work& work, vtkIdType size);
 
   double Tolerance = 0.01;
@@ -285,6 +299,7 @@ private:
   vtkSmartPointer<vtkPenumbraGatherer> Gatherer;
   vtkSmartPointer<vtkFieldData> Statistics;
   double EstimatedError;
+  penumbra::OccluderDistribution* Distribution = nullptr;
 };
 
 #endif

@@ -2,29 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistributedScene.h"
 
-#include "ByteStream.h"
 #include "ImageDivision.h"
 #include "ImageMessage.h"
+#include "Messages/ByteStream.h"
+#include "Messages/SurfaceMessages.h"
+#include "Messages/SurfacePart.h"
 #include "Scene.h"
 #include "SceneUnion.h"
 #include "Shadows/CellMarks.h"
-#include "SurfaceAppearance.h"
-#include "SurfacePart.h"
+#include "Shadows/RankCells.h"
+#include "UnitSelection.h"
 #include "UnitTiles.h"
 
 #include "vtkImageData.h"
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 namespace penumbra
 {
 namespace
 {
-
-using Units = std::vector<std::uint32_t>;
 
 /// Returns the number of primitives of the scene in each tile.
 std::vector<std::uint32_t> CountByTile(const Scene& scene)
@@ -58,13 +57,6 @@ ImageDivision DivideImage(const Scene& scene, bool hasLight, RankGroup& ranks)
     hasLight ? PartsPerRankWithLight : PartsPerRank };
 }
 
-Units ListUnits(const Surface& surface)
-{
-  Units units(CountUnits(surface));
-  std::iota(units.begin(), units.end(), 0u);
-  return units;
-}
-
 /// Returns the units of a surface that each rank needs to render its part of the image.
 std::vector<Units> SelectSeenUnits(
   const Surface& surface, const Camera& camera, const ImageDivision& division, int ranks)
@@ -78,53 +70,6 @@ std::vector<Units> SelectSeenUnits(
     }
   });
   return selected;
-}
-
-/// Messages to all ranks: textures, then parts of surfaces.
-class SurfaceMessages
-{
-public:
-  explicit SurfaceMessages(int ranks)
-    : Textures(static_cast<std::size_t>(ranks)),
-      Parts(static_cast<std::size_t>(ranks))
-  {
-  }
-
-  void Add(std::uint32_t united, const Surface& surface, std::size_t rank, const Units& units)
-  {
-    if (!units.empty())
-    {
-      CollectTextures(surface, this->Textures[rank]);
-      this->Parts[rank].Add(united);
-      AddPart(surface, units, this->Parts[rank]);
-    }
-  }
-
-  std::string Take(int rank)
-  {
-    ByteWriter textures;
-    textures.Add(static_cast<std::uint64_t>(this->Textures[rank].size()));
-    for (const auto& [hash, texture] : this->Textures[rank])
-    {
-      textures.Add(hash);
-      AddTexture(*texture, textures);
-    }
-    return textures.Take() + this->Parts[rank].Take();
-  }
-
-private:
-  std::vector<TextureMap> Textures;
-  std::vector<ByteWriter> Parts;
-};
-
-void GetTextures(ByteReader& bytes, TextureMap& textures)
-{
-  const auto count = bytes.Get<std::uint64_t>();
-  for (std::uint64_t i = 0; i < count; ++i)
-  {
-    const auto hash = bytes.Get<std::uint64_t>();
-    textures[hash] = GetTexture(bytes);
-  }
 }
 
 /// Adds to `selected` the units that may cast shadows on those that it contains.
@@ -156,28 +101,12 @@ void AddCastersOfShadows(const Scene& scene, const AxisAlignedBox& bounds, RankG
       needed.MarkToward(light, seen);
     }
   }
-  marks.assign(count, CellMarks(bounds));
-  const std::vector<std::string> bits = ranks.AllGather(needed.Write());
-  for (std::size_t rank = 0; rank < count; ++rank)
-  {
-    marks[rank].Add(bits[rank]);
-  }
+  const RankCells cells(bounds, ranks.AllGather(needed.Write()));
   for (std::size_t i = 0; i < selected.size(); ++i)
   {
     const Surface& surface = scene.Surfaces[i];
-    std::vector<Units> casters(count);
-    const std::size_t units = surface.IsLineOrPoint ? 0 : CountUnits(surface);
-    for (std::uint32_t unit = 0; unit < units; ++unit)
-    {
-      const AxisAlignedBox box = GetUnitBox(surface, unit);
-      for (std::size_t rank = 0; rank < count; ++rank)
-      {
-        if (marks[rank].Meet(box))
-        {
-          casters[rank].push_back(unit);
-        }
-      }
-    }
+    const std::vector<Units> casters =
+      surface.IsLineOrPoint ? std::vector<Units>(count) : SelectUnits(surface, cells, count);
     for (std::size_t rank = 0; rank < count; ++rank)
     {
       Units both;
@@ -189,30 +118,15 @@ void AddCastersOfShadows(const Scene& scene, const AxisAlignedBox& bounds, RankG
 }
 
 /// Makes the surfaces of the scene of which this rank has received parts.
-std::vector<Surface> Assemble(
-  const std::vector<UnitedSurface>& united, std::vector<std::string>& messages)
+std::vector<Surface> Assemble(const std::vector<UnitedSurface>& united, ReceivedSurfaces& received)
 {
-  TextureMap textures;
-  std::vector<ByteReader> readers(messages.begin(), messages.end());
-  for (ByteReader& reader : readers)
-  {
-    GetTextures(reader, textures);
-  }
   std::vector<Surface> surfaces;
   for (const UnitedSurface& surface : united)
   {
-    surfaces.push_back(MakeEmptySurface(surface.Appearance, textures));
+    surfaces.push_back(MakeEmptySurface(surface.Appearance, received.GetTextures()));
     surfaces.back().Whole = surface.Whole;
   }
-  for (std::size_t i = 0; i < readers.size(); ++i)
-  {
-    while (!readers[i].IsAtEnd())
-    {
-      const auto index = readers[i].Get<std::uint32_t>();
-      AppendPart(readers[i], surfaces.at(index));
-    }
-    messages[i] = std::string(); // frees the memory
-  }
+  received.AppendTo(surfaces, 0, received.GetCount());
   std::for_each(surfaces.begin(), surfaces.end(), FinishParts);
   return surfaces;
 }
@@ -241,53 +155,14 @@ DistributedScene::DistributedScene(
 {
 }
 
-void DistributedScene::Compare(const SettingList& settings)
-{
-  ByteWriter own;
-  for (const auto& [name, value] : settings)
-  {
-    own.Add(name);
-    own.Add(value);
-  }
-  const std::vector<std::string> messages = this->Ranks.AllGather(own.Take());
-  for (std::size_t rank = 1; rank < messages.size(); ++rank)
-  {
-    ByteReader first(messages[0]);
-    ByteReader other(messages[rank]);
-    while (!first.IsAtEnd() && !other.IsAtEnd())
-    {
-      const std::string name = first.Get<std::string>();
-      const std::string value = first.Get<std::string>();
-      if (other.Get<std::string>() != name || other.Get<std::string>() != value)
-      {
-        throw RankFailure("The ranks 0 and " + std::to_string(rank) + " disagree about " + name +
-          ". Give all ranks the same settings.");
-      }
-    }
-  }
-}
-
 void DistributedScene::UniteExtent(double bounds[6], double& radius)
 {
+  this->Ranks.UniteBounds(bounds);
   ByteWriter own;
-  own.Add(std::vector<double>(bounds, bounds + 6));
   own.Add(radius);
   for (const std::string& message : this->Ranks.AllGather(own.Take()))
   {
-    ByteReader reader(message);
-    const auto other = reader.Get<std::vector<double>>();
-    radius = std::max(radius, reader.Get<double>());
-    for (int axis = 0; axis < 3 && other[0] <= other[1]; ++axis)
-    {
-      const bool isEmpty = !(bounds[0] <= bounds[1]) && axis == 0;
-      if (isEmpty)
-      {
-        std::copy(other.begin(), other.end(), bounds);
-        break;
-      }
-      bounds[2 * axis] = std::min(bounds[2 * axis], other[2 * axis]);
-      bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], other[2 * axis + 1]);
-    }
+    radius = std::max(radius, ByteReader(message).Get<double>());
   }
 }
 
@@ -309,7 +184,8 @@ std::vector<std::vector<Units>> DistributedScene::Select(const Scene& scene,
 
 void DistributedScene::Exchange(Scene& scene, LightRays lightRays)
 {
-  const std::vector<UnitedSurface> united = UniteSurfaces(scene, this->Ranks);
+  std::vector<UnitedSurface> united = UniteSurfaces(scene, this->Ranks);
+  FindDenseSurfaces(scene, this->Ranks, united);
   const std::vector<std::uint32_t> unitedOf = FindUnited(united, scene.Surfaces.size());
   AxisAlignedBox bounds;
   for (const UnitedSurface& surface : united)
@@ -333,7 +209,7 @@ void DistributedScene::Exchange(Scene& scene, LightRays lightRays)
   {
     Surface& surface = scene.Surfaces[i];
     bytes += static_cast<long long>(CountBytes(surface));
-    const Units all = sendsAll ? ListUnits(surface) : Units();
+    const Units all = sendsAll ? ListAllUnits(surface) : Units();
     for (std::size_t rank = 0; rank < ranks; ++rank)
     {
       messages.Add(unitedOf[i], surface, rank, sendsAll ? all : selected[i][rank]);
@@ -345,12 +221,11 @@ void DistributedScene::Exchange(Scene& scene, LightRays lightRays)
     }
   }
   const long long before = this->Ranks.GetReceivedBytes();
-  std::vector<std::string> received =
-    this->Ranks.Exchange([&](int rank) { return messages.Take(rank); });
+  ReceivedSurfaces received(this->Ranks.Exchange([&](int rank) { return messages.Take(rank); }));
   this->Counts.SceneBytes = this->Ranks.GetReceivedBytes() - before;
   scene.Surfaces = Assemble(united, received);
   this->Count(scene, bytes);
-  if (needsAll && this->IsFirst() && this->Ranks.GetCount() > 1)
+  if (needsAll && this->Ranks.IsFirst() && this->Ranks.GetCount() > 1)
   {
     this->Warn(
       "Soft shadows, ambient occlusion, indirect light and media need the surfaces of all ranks on "
@@ -387,7 +262,7 @@ void DistributedScene::Compose(
   const std::vector<std::string> messages =
     this->Ranks.Exchange([&](int rank) { return rank == 0 ? own.Take() : std::string(); });
   this->Counts.PixelBytes += this->Ranks.GetReceivedBytes() - before;
-  if (!this->IsFirst())
+  if (!this->Ranks.IsFirst())
   {
     return;
   }
@@ -415,7 +290,7 @@ void DistributedScene::Deliver(const int extent[6], vtkImageData* image)
   const long long before = this->Ranks.GetReceivedBytes();
   const std::vector<std::string> messages = this->Ranks.Exchange([&](int rank) {
     ByteWriter writer;
-    if (this->IsFirst() && rank > 0)
+    if (this->Ranks.IsFirst() && rank > 0)
     {
       ByteReader reader(extents[rank]);
       AddPixels(image, reader.Get<std::vector<int>>().data(), writer);
@@ -423,7 +298,7 @@ void DistributedScene::Deliver(const int extent[6], vtkImageData* image)
     return writer.Take();
   });
   this->Counts.PixelBytes += this->Ranks.GetReceivedBytes() - before;
-  if (this->IsFirst())
+  if (this->Ranks.IsFirst())
   {
     CropImage(extent, image);
     return;

@@ -6,7 +6,8 @@
 #define penumbra_DistributedScene_h
 
 #include "Distribution/SceneDistribution.h"
-#include "RankGroup.h"
+#include "Messages/ExchangeCounts.h"
+#include "Messages/RankGroup.h"
 
 #include <cstdint>
 #include <functional>
@@ -19,17 +20,6 @@ namespace penumbra
 class ImageDivision;
 struct AxisAlignedBox;
 
-/// What the ranks have exchanged for an image.
-struct ExchangeCounts
-{
-  long long SceneBytes = 0;      ///< received by this rank to render its part of the image
-  long long WholeBytes = 0;      ///< of all surfaces of all ranks
-  long long Primitives = 0;      ///< that this rank has after the exchange
-  long long WholePrimitives = 0; ///< of all ranks
-  long long PixelBytes = 0;      ///< of parts of the image, received by this rank
-  long long Rays = 0;            ///< traced by this rank
-};
-
 class DistributedScene final : public SceneDistribution
 {
 public:
@@ -37,15 +27,13 @@ public:
   DistributedScene(
     vtkMultiProcessController* controller, std::function<void(const std::string&)> warn);
 
-  void Compare(const SettingList& settings) override;
+  RankAgreement& GetRanks() override { return this->Ranks; }
   void UniteExtent(double bounds[6], double& radius) override;
   void Exchange(Scene& scene, LightRays lightRays) override;
   const std::vector<RegionBounds>& GetRegions() const override { return this->Regions; }
   void Compose(const std::vector<vtkSmartPointer<vtkImageData>>& parts, vtkImageData* image,
     ImageTotals& totals) override;
   void Deliver(const int extent[6], vtkImageData* image) override;
-  bool IsFirst() const override { return this->Ranks.GetRank() == 0; }
-  std::string Fail(const std::string& message) override { return this->Ranks.Fail(message); }
 
   const ExchangeCounts& GetCounts() const { return this->Counts; }
 

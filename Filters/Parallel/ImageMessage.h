@@ -5,7 +5,7 @@
 #ifndef penumbra_ImageMessage_h
 #define penumbra_ImageMessage_h
 
-#include "ByteStream.h"
+#include "Messages/ByteStream.h"
 
 class vtkImageData;
 

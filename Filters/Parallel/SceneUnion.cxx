@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneUnion.h"
 
-#include "ByteStream.h"
 #include "Edges/SubpixelTriangles.h"
 #include "Edges/UnsteadyNormals.h"
 #include "Embree/CoincidentSurfaces.h"
 #include "Embree/PlanarCells.h"
-#include "RankGroup.h"
+#include "Messages/ByteStream.h"
+#include "Messages/RankGroup.h"
+#include "Messages/SurfaceAppearance.h"
 #include "Scene.h"
 #include "SceneBounds.h"
-#include "SurfaceAppearance.h"
 
 #include <algorithm>
 #include <array>
@@ -121,37 +121,6 @@ struct Union
   }
 };
 
-/// Samples the triangles of all parts in their order, so that the sum is that of the whole surface.
-void FindDenseSurfaces(const Scene& scene, RankGroup& ranks, std::vector<UnitedSurface>& surfaces)
-{
-  const Camera& camera = scene.ViewCamera;
-  const std::string last = ranks.Chain({}, [&](const std::string& before) {
-    ByteReader reader(before);
-    ByteWriter writer;
-    for (const UnitedSurface& surface : surfaces)
-    {
-      SubpixelTriangles triangles(surface.Count, camera);
-      if (!before.empty())
-      {
-        reader.Get(triangles);
-      }
-      for (std::size_t i = 0; i < surface.Own.size(); ++i)
-      {
-        triangles.Add(scene.Surfaces[surface.Own[i]], surface.Firsts[i], camera);
-      }
-      writer.Add(triangles);
-    }
-    return writer.Take();
-  });
-  ByteReader reader(last);
-  for (UnitedSurface& surface : surfaces)
-  {
-    SubpixelTriangles triangles(surface.Count, camera);
-    reader.Get(triangles);
-    surface.Whole->IsDense = triangles.AreDense();
-  }
-}
-
 }
 
 std::vector<UnitedSurface> UniteSurfaces(const Scene& scene, RankGroup& ranks)
@@ -192,8 +161,38 @@ std::vector<UnitedSurface> UniteSurfaces(const Scene& scene, RankGroup& ranks)
   std::vector<UnitedSurface> surfaces;
   std::transform(unions.begin(), unions.end(), std::back_inserter(surfaces),
     [](Union& u) { return u.Finish(); });
-  FindDenseSurfaces(scene, ranks, surfaces);
   return surfaces;
+}
+
+// Samples the triangles of all parts in their order, so that the sum is that of the whole surface.
+void FindDenseSurfaces(const Scene& scene, RankGroup& ranks, std::vector<UnitedSurface>& surfaces)
+{
+  const Camera& camera = scene.ViewCamera;
+  const std::string last = ranks.Chain({}, [&](const std::string& before) {
+    ByteReader reader(before);
+    ByteWriter writer;
+    for (const UnitedSurface& surface : surfaces)
+    {
+      SubpixelTriangles triangles(surface.Count, camera);
+      if (!before.empty())
+      {
+        reader.Get(triangles);
+      }
+      for (std::size_t i = 0; i < surface.Own.size(); ++i)
+      {
+        triangles.Add(scene.Surfaces[surface.Own[i]], surface.Firsts[i], camera);
+      }
+      writer.Add(triangles);
+    }
+    return writer.Take();
+  });
+  ByteReader reader(last);
+  for (UnitedSurface& surface : surfaces)
+  {
+    SubpixelTriangles triangles(surface.Count, camera);
+    reader.Get(triangles);
+    surface.Whole->IsDense = triangles.AreDense();
+  }
 }
 
 }

@@ -34,5 +34,8 @@ struct UnitedSurface
 /// by their objects, then by the first rank that has a part. Collective.
 std::vector<UnitedSurface> UniteSurfaces(const Scene& scene, RankGroup& ranks);
 
+/// Sets WholeSurface::IsDense. Collective.
+void FindDenseSurfaces(const Scene& scene, RankGroup& ranks, std::vector<UnitedSurface>& surfaces);
+
 }
 #endif

@@ -7,8 +7,8 @@
 
 #include "Camera.h"
 #include "ImageDivision.h"
+#include "Messages/SurfacePart.h"
 #include "Surface.h"
-#include "SurfacePart.h"
 #include "Tiles/ScreenTriangle.h"
 
 #include <algorithm>
@@ -64,30 +64,6 @@ void VisitTilesOfBox(const AxisAlignedBox& box, const Camera& camera, const Visi
       visit(y * tiles.x + x);
     }
   }
-}
-
-/// Returns the bounds of a unit of a surface.
-inline AxisAlignedBox GetUnitBox(const Surface& surface, std::uint32_t unit)
-{
-  if (surface.Instances)
-  {
-    return surface.Instances->GetBox(unit);
-  }
-  AxisAlignedBox box;
-  if (surface.IsRound())
-  {
-    const RoundShape shape = surface.GetRoundShape(unit);
-    box.Add(shape.A - shape.RadiusA);
-    box.Add(shape.A + shape.RadiusA);
-    box.Add(shape.B - shape.RadiusB);
-    box.Add(shape.B + shape.RadiusB);
-    return box;
-  }
-  for (const glm::vec3& point : surface.GetPoints(unit))
-  {
-    box.Add(point);
-  }
-  return box;
 }
 
 /// Calls visit(unit, tile) for all units of a surface, one after the other.

@@ -2,20 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraDistributedIrradianceFilter.h"
 
-#include "Scene.h"
-#include "SurfaceExchange.h"
+#include "DistributedOccluders.h"
+#include "Statistics/Statistics.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkDataObject.h"
-#include "vtkInformation.h"
+#include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 
-#include <limits>
+#include <string>
 
 vtkStandardNewMacro(vtkPenumbraDistributedIrradianceFilter);
 
@@ -27,41 +23,24 @@ int vtkPenumbraDistributedIrradianceFilter::RequestData(
   {
     return this->Superclass::RequestData(request, inputs, outputs);
   }
-  const vtkSmartPointer<vtkPolyData> local =
-    penumbra::ExtractCompositeSurface(vtkDataObject::GetData(inputs[0]));
-  const std::vector<vtkBoundingBox> bounds = penumbra::GatherBounds(controller, local);
-  vtkBoundingBox globalBounds;
-  for (const vtkBoundingBox& box : bounds)
-  {
-    globalBounds.AddBox(box);
-  }
-  double radius = std::numeric_limits<double>::infinity();
-  if (this->GetQuantity() == AMBIENT_OCCLUSION && globalBounds.IsValid())
-  {
-    radius = this->GetRadius() > 0.0
-      ? this->GetRadius()
-      : penumbra::DefaultRadiusFraction * globalBounds.GetDiagonalLength();
-  }
-  vtkSmartPointer<vtkPolyData> occluders =
-    penumbra::GatherRemoteOccluders(controller, local, bounds, radius);
-  if (globalBounds.IsValid())
-  {
-    // Two points without cells extend the occluders to the global bounds, which define the default
-    // radius.
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    if (occluders->GetPoints())
+  penumbra::DistributedOccluders occluders(controller, [this](const std::string& text) {
+    if (!this->HasWarned)
     {
-      points->DeepCopy(occluders->GetPoints());
+      vtkWarningMacro(<< text);
+      this->HasWarned = true;
     }
-    points->InsertNextPoint(globalBounds.GetMinPoint());
-    points->InsertNextPoint(globalBounds.GetMaxPoint());
-    occluders->SetPoints(points);
+  });
+  this->SetDistribution(&occluders);
+  const int result = this->Superclass::RequestData(request, inputs, outputs);
+  this->SetDistribution(nullptr);
+  const penumbra::ExchangeCounts& counts = occluders.GetCounts();
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
+  for (vtkFieldData* fields : { this->GetStatistics(), output->GetFieldData() })
+  {
+    penumbra::AddStatistic(fields, "Exchange/SceneBytes", counts.SceneBytes);
+    penumbra::AddStatistic(fields, "Exchange/WholeBytes", counts.WholeBytes);
+    penumbra::AddStatistic(fields, "Exchange/Primitives", counts.Primitives);
+    penumbra::AddStatistic(fields, "Exchange/WholePrimitives", counts.WholePrimitives);
   }
-  vtkNew<vtkInformation> info;
-  info->Set(vtkDataObject::DATA_OBJECT(), occluders);
-  vtkNew<vtkInformationVector> occluderVector;
-  occluderVector->Append(info);
-  vtkInformationVector* allInputs[] = { inputs[0], occluderVector };
-  return this->Superclass::RequestData(request, allInputs, outputs);
+  return result;
 }

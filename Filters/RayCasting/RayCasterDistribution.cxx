@@ -11,20 +11,15 @@
 #include "vtkImageData.h"
 
 #include <algorithm>
-#include <sstream>
+#include <string>
 
 namespace
 {
 
-/// Returns the exact value of numbers.
 template <typename... Values>
 std::string Describe(const Values&... values)
 {
-  std::ostringstream text;
-  text.precision(17);
-  const char* separator = "";
-  ((text << separator << values, separator = ", "), ...);
-  return text.str();
+  return penumbra::DescribeNumbers(values...);
 }
 
 std::string Describe(const glm::dvec3& v)
@@ -104,7 +99,7 @@ void vtkPenumbraRayCaster::Internals::ExchangeScene(
   penumbra::SettingList view;
   AddCamera(scene, view);
   AddLights(scene.Lights, view);
-  this->Distribution->Compare(view);
+  this->Distribution->GetRanks().Compare(view);
   this->DistributedOverlay = std::move(scene.OverlayImage);
   scene.OverlayImage = penumbra::Overlay();
   const bool hasPenumbrae = self->GetShadows() &&
@@ -156,12 +151,12 @@ bool vtkPenumbraRayCaster::Internals::ExecuteDistributed(
   {
     return false;
   }
-  if (this->Distribution->IsFirst())
+  if (this->Distribution->GetRanks().IsFirst())
   {
     image->SetExtent(0, self->Resolution[0] - 1, 0, self->Resolution[1] - 1, 0, 0);
   }
   this->Distribution->Compose(parts, image, totals);
-  if (this->Distribution->IsFirst())
+  if (this->Distribution->GetRanks().IsFirst())
   {
     penumbra::CompositeOverlay(this->DistributedOverlay, image);
     penumbra::SumErrors(image, totals);

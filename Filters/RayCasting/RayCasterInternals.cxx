@@ -282,6 +282,18 @@ penumbra::JobSettings vtkPenumbraRayCaster::Internals::MakeJobSettings(
   settings.HasGeometryArrays = self->GeometryArrays;
   settings.Provider = this->IrradianceProvider;
   settings.Medium = this->Medium;
+  if (this->Distribution)
+  {
+    settings.Ranks = &this->Distribution->GetRanks();
+    settings.RendersPixel = [this](glm::ivec2 pixel) {
+      const std::vector<penumbra::RegionBounds>& regions = this->Distribution->GetRegions();
+      return std::any_of(
+        regions.begin(), regions.end(), [pixel](const penumbra::RegionBounds& region) {
+          return glm::all(glm::greaterThanEqual(pixel, region.Low)) &&
+            glm::all(glm::lessThan(pixel, region.High));
+        });
+    };
+  }
   return settings;
 }
 

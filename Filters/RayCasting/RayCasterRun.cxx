@@ -99,7 +99,8 @@ bool vtkPenumbraRayCaster::Internals::Run(
   {
     if (this->Distribution && !isKnown)
     {
-      error = this->Distribution->Fail(error.empty() ? "The execution was aborted." : error);
+      error =
+        this->Distribution->GetRanks().Fail(error.empty() ? "The execution was aborted." : error);
     }
     image->Initialize();
     this->DropScene();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderJob.h"
 
+#include "Execution/RankAgreement.h"
 #include "Image/GeometryArrays.h"
 #include "Light/LightRays.h"
 #include "Media/MediumExtraction.h"
@@ -18,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace penumbra
 {
@@ -99,7 +101,7 @@ bool RenderJob::BeginProvider(const ProgressCallback& progress, const WarningFun
     return true;
   }
   this->Light = std::make_shared<const Illumination>(this->Rays, wanted.Light);
-  warn(DescribeMissingLight(this->Rays, wanted.Shadows, &*this->Light), true);
+  this->WarnOfMissingLight(warn);
   return wanted.Provider->BeginIrradiance(*this->Light, this->GetSampleIrradianceTolerance(), part);
 }
 
@@ -154,6 +156,22 @@ void RenderJob::AddMedium(const WarningFunction& warn)
   warn(warning, false);
 }
 
+void RenderJob::WarnOfMissingLight(const WarningFunction& warn)
+{
+  const JobSettings& wanted = this->Wanted;
+  FoundLight found = FindLight(this->Rays, wanted.Shadows, this->Light.get(), wanted.RendersPixel);
+  if (wanted.Ranks)
+  {
+    std::vector<double> counts = { found.IsLit ? 1.0 : 0.0, found.IsDark ? 1.0 : 0.0 };
+    wanted.Ranks->Sum(counts);
+    found = { counts[0] > 0.0, counts[1] > 0.0 };
+  }
+  if (!wanted.Ranks || wanted.Ranks->IsFirst())
+  {
+    warn(DescribeMissingLight(found), true);
+  }
+}
+
 bool RenderJob::Begin(const ProgressCallback& progress, const WarningFunction& warn)
 {
   const JobSettings& wanted = this->Wanted;
@@ -178,7 +196,7 @@ bool RenderJob::Begin(const ProgressCallback& progress, const WarningFunction& w
   }
   if (wanted.Shadows && !wanted.HasIndirectLight)
   {
-    warn(DescribeMissingLight(this->Rays, true, nullptr), true);
+    this->WarnOfMissingLight(warn);
   }
   this->AddMedium(warn);
   if (this->Shafts || this->Lit.HasPenumbrae())

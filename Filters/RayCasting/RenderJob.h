@@ -14,6 +14,8 @@
 
 #include "vtkPenumbraRayCasterConstants.h"
 
+#include <glm/glm.hpp>
+
 #include <functional>
 #include <memory>
 #include <optional>
@@ -25,6 +27,8 @@ class vtkPenumbraMedium;
 
 namespace penumbra
 {
+
+class RankAgreement;
 
 /// Settings of an image, which the ray caster documents.
 struct JobSettings
@@ -43,6 +47,9 @@ struct JobSettings
   bool HasGeometryArrays = false;
   vtkPenumbraIrradianceProvider* Provider = nullptr;
   vtkPenumbraMedium* Medium = nullptr; ///< null: none
+  RankAgreement* Ranks = nullptr;      ///< that render the image together; null: this one alone
+  /// Returns true if this rank renders a pixel; set if there are several ranks.
+  std::function<bool(glm::ivec2)> RendersPixel;
 
   /// Returns true if the provider is asked for light, or says that pixels are joined.
   bool UsesProvider() const
@@ -95,6 +102,7 @@ private:
   void UseProvider();
   void JoinPixels();
   void AddMedium(const WarningFunction& warn);
+  void WarnOfMissingLight(const WarningFunction& warn);
 
   const Scene& SceneData;
   const RayScene& Rays;

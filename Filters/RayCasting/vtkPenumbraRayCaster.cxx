@@ -260,7 +260,7 @@ int vtkPenumbraRayCaster::RequestData(
   return internals.Run(this, image, [&]() {
     if (internals.Distribution)
     {
-      internals.Distribution->Compare(Internals::ListSettings(this));
+      internals.Distribution->GetRanks().Compare(Internals::ListSettings(this));
     }
     internals.Prepare(this, data);
     const bool finished = internals.Execute(this, image);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BakeInput.h"
 
+#include "Execution/RankAgreement.h"
 #include "Gathering/IrradianceConstants.h"
 #include "Geometry/SurfaceGeometry.h"
 #include "OccluderGeometry.h"
@@ -33,6 +34,9 @@ namespace penumbra
 namespace
 {
 
+/// Surface::ObjectId of the surroundings; that of the mesh is 0.
+constexpr int SurroundingsId = 1;
+
 /// Number of sides of the disks that represent points.
 constexpr unsigned int DiscSides = 6;
 
@@ -46,6 +50,20 @@ void AddFinitePoints(vtkPolyData* mesh, vtkBoundingBox& bounds)
     {
       bounds.AddPoint(x);
     }
+  }
+}
+
+void UniteBoxes(RankAgreement* ranks, vtkBoundingBox& box)
+{
+  double bounds[6];
+  box.GetBounds(bounds);
+  if (ranks)
+  {
+    ranks->UniteBounds(bounds);
+  }
+  if (bounds[0] <= bounds[1])
+  {
+    box.SetBounds(bounds);
   }
 }
 
@@ -68,7 +86,14 @@ public:
     RequireMemoryForOccluders(this->Mesh, this->Options.PointRadius, this->Options.LineRadius);
     this->Center();
     this->AddTriangles();
-    if (this->Triangles.empty() && this->Options.PointRadius > 0.0)
+    std::vector<double> counts = { static_cast<double>(this->Triangles.size()),
+      static_cast<double>(this->Mesh->GetNumberOfPolys() + this->Mesh->GetNumberOfStrips()) };
+    if (this->Options.Ranks)
+    {
+      this->Options.Ranks->Sum(counts);
+    }
+    this->HasPolygons = counts[1] > 0.0;
+    if (counts[0] == 0.0 && this->Options.PointRadius > 0.0)
     {
       this->FindNormals();
       this->AddDiscs();
@@ -91,6 +116,7 @@ private:
   {
     vtkBoundingBox& bounds = this->Result.Bounds;
     AddFinitePoints(this->Mesh, bounds);
+    UniteBoxes(this->Options.Ranks, bounds);
     double center[3] = { 0.0, 0.0, 0.0 };
     if (bounds.IsValid())
     {
@@ -351,13 +377,14 @@ private:
     Surface surface;
     surface.Positions = std::move(this->Positions);
     surface.Triangles = std::move(this->Triangles);
-    if (!SetOpacity(this->Mesh, this->Options.OpacityArray, surface))
+    const bool isEmptyPart = this->Options.Ranks && this->Mesh->GetNumberOfPoints() == 0;
+    if (!isEmptyPart && !SetOpacity(this->Mesh, this->Options.OpacityArray, surface))
     {
       RejectOpacityArray(this->Options.OpacityArray, "");
     }
     this->Result.OccluderScene.Surfaces.push_back(std::move(surface));
     Scene& scene = this->Result.OccluderScene;
-    if (this->Mesh->GetNumberOfPolys() + this->Mesh->GetNumberOfStrips() > 0)
+    if (this->HasPolygons)
     {
       AddRoundOccluders(this->Mesh, false, this->Options.PointRadius, scene);
     }
@@ -371,6 +398,7 @@ private:
   vtkSmartPointer<vtkPolyData> Mesh;
   vtkSmartPointer<vtkDataArray> Normals;
   bool HasComputedNormals = false;
+  bool HasPolygons = false;         ///< on any rank
   std::vector<vtkIdType> Originals; ///< id in Data of each point or cell of Mesh; empty if equal
   std::vector<glm::vec3> Positions;
   std::vector<char> Finite;
@@ -405,6 +433,7 @@ void AddOccluders(vtkPolyData* surroundings, const BakeInputOptions& options, Ba
     surface.Positions.emplace_back(finite.back() ? scene.FromWorld(x) : glm::dvec3(0.0));
   }
   surface.Triangles = Triangulate(surroundings, finite, progress);
+  const std::size_t first = scene.Surfaces.size();
   // The array of the surroundings is optional, but an invalid one is an error.
   if (!SetOpacity(surroundings, options.OpacityArray, surface) &&
     surroundings->GetPointData()->GetAbstractArray(options.OpacityArray.c_str()))
@@ -414,6 +443,56 @@ void AddOccluders(vtkPolyData* surroundings, const BakeInputOptions& options, Ba
   mesh.OccluderScene.Surfaces.push_back(std::move(surface));
   AddRoundOccluders(surroundings, false, options.PointRadius, mesh.OccluderScene);
   AddRoundOccluders(surroundings, true, options.LineRadius, mesh.OccluderScene);
+  for (std::size_t i = first; i < scene.Surfaces.size(); ++i)
+  {
+    mesh.OccluderScene.Surfaces[i].ObjectId = SurroundingsId;
+  }
+}
+
+void UniteBounds(const BakeInputOptions& options, BakeInput& mesh)
+{
+  UniteBoxes(options.Ranks, mesh.Bounds);
+  mesh.Diagonal = mesh.Bounds.IsValid() ? mesh.Bounds.GetDiagonalLength() : 0.0;
+}
+
+std::vector<std::string> DescribeDefects(const BakeInputOptions& options, const BakeInput& mesh)
+{
+  std::vector<std::string> sentences = mesh.SkippedAttributes;
+  std::vector<double> counts = { static_cast<double>(mesh.Unused),
+    static_cast<double>(mesh.NotFinite), static_cast<double>(mesh.DoubledPolygons),
+    static_cast<double>(mesh.TwoSided), static_cast<double>(mesh.Sites.size()) };
+  if (options.Ranks)
+  {
+    options.Ranks->Sum(counts);
+    options.Ranks->UniteSentences(sentences);
+    if (!options.Ranks->IsFirst())
+    {
+      return sentences;
+    }
+  }
+  const auto count = [&](int i) { return std::to_string(static_cast<long long>(counts[i])); };
+  if (counts[0] > 0.0 || counts[1] > 0.0)
+  {
+    sentences.push_back(count(0) + (options.OnCells ? " cells" : " points") +
+      " do not belong to a surface and " + count(1) +
+      " are not finite or have no normal. Their value is 0.");
+  }
+  // Few such polygons and points are defects of scans that no one sees.
+  const double reported = MinimumReportedFraction * counts[4];
+  if (counts[2] > reported)
+  {
+    sentences.push_back(count(2) +
+      " polygons have the same points as others that face the opposite side. These "
+      "points get the values of the polygons that come first. For values on both "
+      "sides, give each polygon its own points.");
+  }
+  if (counts[3] > reported)
+  {
+    sentences.push_back(count(3) +
+      " points have no normal because their polygons face opposite sides. Their "
+      "value is the mean of the values on their polygons.");
+  }
+  return sentences;
 }
 
 }

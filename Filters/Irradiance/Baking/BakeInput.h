@@ -24,6 +24,8 @@ class vtkPolyData;
 namespace penumbra
 {
 
+class RankAgreement;
+
 struct BakeInputOptions
 {
   bool OnCells = false;        ///< if true, bake at cell centers instead of points
@@ -31,6 +33,7 @@ struct BakeInputOptions
   std::string OpacityArray;    ///< point array of opacities in [0, 1]; empty: opaque
   double PointRadius = 0.0; ///< of disks for points without polygons, and of spheres; world units
   double LineRadius = 0.0;  ///< of tubes along lines, world units
+  RankAgreement* Ranks = nullptr; ///< that have parts of the data; null: this one has all
 };
 
 struct BakeInput
@@ -68,7 +71,7 @@ struct BakeInput
 };
 
 /// Extracts the input of baking from `data`. Throws Stopped if `progress` requests a stop, like
-/// AddOccluders().
+/// AddOccluders(). Collective, with the origin, the scale and the kind of query points of all data together.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT BakeInput PrepareBakeInput(
   vtkPointSet* data, const BakeInputOptions& options, const ProgressCallback& progress = {});
 
@@ -78,6 +81,13 @@ VTKPENUMBRAFILTERSIRRADIANCE_EXPORT BakeInput PrepareBakeInput(
 /// invalid.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT void AddOccluders(vtkPolyData* surroundings,
   const BakeInputOptions& options, BakeInput& mesh, const ProgressCallback& progress = {});
+
+/// Extends the bounds by those of other ranks. Collective.
+void UniteBounds(const BakeInputOptions& options, BakeInput& mesh);
+
+/// Returns one sentence about each kind of defect of the data that the values suffer from. Those of all ranks are
+/// returned on the first one. Collective.
+std::vector<std::string> DescribeDefects(const BakeInputOptions& options, const BakeInput& mesh);
 
 }
 #endif

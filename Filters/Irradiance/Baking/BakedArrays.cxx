@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BakedArrays.h"
 
+#include "Execution/RankAgreement.h"
 #include "Gathering/IrradianceConstants.h"
 
 #include <algorithm>
@@ -42,27 +43,40 @@ vtkSmartPointer<vtkFloatArray> CreateArray(const BakeInput& mesh, const BakedVal
 namespace
 {
 
-/// Returns true if a condition holds for nearly all values.
+/// Returns true, on the first rank, if a condition holds for nearly all values of all ranks.
 template <typename Condition>
-bool HoldsForMost(const BakedValues& baked, const Condition& condition)
+bool HoldsForMost(const BakedValues& baked, RankAgreement* ranks, const Condition& condition)
 {
   const auto count = std::count_if(baked.Values.begin(), baked.Values.end(), condition);
-  return count > 0 &&
-    static_cast<double>(count) >=
-    MinimumOccludedFraction * static_cast<double>(baked.Values.size());
+  std::vector<double> counts = { static_cast<double>(count),
+    static_cast<double>(baked.Values.size()) };
+  if (ranks)
+  {
+    ranks->Sum(counts);
+  }
+  return (!ranks || ranks->IsFirst()) && counts[0] > 0.0 &&
+    counts[0] >= MinimumOccludedFraction * counts[1];
 }
 
 }
 
-bool IsBlocked(const BakedValues& baked)
+std::string DescribeOccluded(const BakedValues& baked, RankAgreement* ranks)
 {
-  return HoldsForMost(
-    baked, [](const BakedValue& value) { return value.Mean.x >= OccludedThreshold; });
+  const auto isOccluded = [](const BakedValue& value) { return value.Mean.x >= OccludedThreshold; };
+  return HoldsForMost(baked, ranks, isOccluded)
+    ? "All points are occluded. Polygons and normals may face inward: reverse them, "
+      "for example with vtkReverseSense, or with flip_faces() in PyVista."
+    : "";
 }
 
-bool IsBlack(const BakedValues& baked)
+std::string DescribeBlack(const BakedValues& baked, RankAgreement* ranks)
 {
-  return HoldsForMost(baked, [](const BakedValue& value) { return value.Mean == glm::vec3(0.f); });
+  const auto isBlack = [](const BakedValue& value) { return value.Mean == glm::vec3(0.f); };
+  return HoldsForMost(baked, ranks, isBlack)
+    ? "No light of the environment reaches the points: the irradiance is 0. Set "
+      "EnvironmentColor or Environment if it is black, reverse polygons and normals that "
+      "face inward, for example with vtkReverseSense, or open closed surfaces."
+    : "";
 }
 
 }

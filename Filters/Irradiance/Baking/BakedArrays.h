@@ -11,20 +11,24 @@
 #include "vtkFloatArray.h"
 #include "vtkSmartPointer.h"
 
+#include <string>
+
 namespace penumbra
 {
+
+class RankAgreement;
 
 /// Returns an array of `scale` times the means at all points or cells, 0 for those without a query
 /// point. A point or cell with several query points gets their weighted mean.
 vtkSmartPointer<vtkFloatArray> CreateArray(const BakeInput& mesh, const BakedValues& baked,
   vtkIdType size, const char* name, int components, float scale);
 
-/// Returns true if nearly all points are occluded: the normals face into the mesh, or the mesh is a
-/// cave.
-bool IsBlocked(const BakedValues& baked);
+/// Returns one sentence if nearly all points, of all ranks together, are occluded: the normals face into the mesh, or
+/// the mesh is a cave. It is empty otherwise, and on other ranks than the first one. Collective. `ranks` may be null.
+std::string DescribeOccluded(const BakedValues& baked, RankAgreement* ranks);
 
-/// Returns true if nearly all values are 0.
-bool IsBlack(const BakedValues& baked);
+/// In the same way, if nearly all values are 0.
+std::string DescribeBlack(const BakedValues& baked, RankAgreement* ranks);
 
 }
 #endif

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RankGroup.h"
 
-#include "Distribution/SceneDistribution.h"
+#include "ByteStream.h"
 
 #include "vtkMultiProcessController.h"
 #include "vtkType.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace penumbra
 {
@@ -97,6 +98,90 @@ std::vector<std::string> RankGroup::Exchange(const std::function<std::string(int
     }
   }
   return received;
+}
+
+void RankGroup::Compare(const SettingList& settings)
+{
+  ByteWriter own;
+  for (const auto& [name, value] : settings)
+  {
+    own.Add(name);
+    own.Add(value);
+  }
+  const std::vector<std::string> messages = this->AllGather(own.Take());
+  for (std::size_t rank = 1; rank < messages.size(); ++rank)
+  {
+    ByteReader first(messages[0]);
+    ByteReader other(messages[rank]);
+    while (!first.IsAtEnd() && !other.IsAtEnd())
+    {
+      const std::string name = first.Get<std::string>();
+      const std::string value = first.Get<std::string>();
+      if (other.Get<std::string>() != name || other.Get<std::string>() != value)
+      {
+        throw RankFailure("The ranks 0 and " + std::to_string(rank) + " disagree about " + name +
+          ". Give all ranks the same settings.");
+      }
+    }
+  }
+}
+
+void RankGroup::Sum(std::vector<double>& values)
+{
+  ByteWriter own;
+  own.Add(values);
+  std::fill(values.begin(), values.end(), 0.0);
+  for (const std::string& message : this->AllGather(own.Take()))
+  {
+    ByteReader reader(message);
+    const auto other = reader.Get<std::vector<double>>();
+    std::transform(other.begin(), other.end(), values.begin(), values.begin(), std::plus<double>());
+  }
+}
+
+void RankGroup::UniteBounds(double bounds[6])
+{
+  ByteWriter own;
+  own.Add(std::vector<double>(bounds, bounds + 6));
+  for (const std::string& message : this->AllGather(own.Take()))
+  {
+    const auto other = ByteReader(message).Get<std::vector<double>>();
+    if (!(other[0] <= other[1]))
+    {
+      continue;
+    }
+    if (!(bounds[0] <= bounds[1]))
+    {
+      std::copy(other.begin(), other.end(), bounds);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      bounds[2 * axis] = std::min(bounds[2 * axis], other[2 * axis]);
+      bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], other[2 * axis + 1]);
+    }
+  }
+}
+
+void RankGroup::UniteSentences(std::vector<std::string>& sentences)
+{
+  ByteWriter own;
+  for (const std::string& sentence : sentences)
+  {
+    own.Add(sentence);
+  }
+  sentences.clear();
+  for (const std::string& message : this->AllGather(own.Take()))
+  {
+    ByteReader reader(message);
+    while (this->IsFirst() && !reader.IsAtEnd())
+    {
+      std::string sentence = reader.Get<std::string>();
+      if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end())
+      {
+        sentences.push_back(std::move(sentence));
+      }
+    }
+  }
 }
 
 std::string RankGroup::Fail(const std::string& message)

@@ -6,6 +6,8 @@
 #ifndef penumbra_RankGroup_h
 #define penumbra_RankGroup_h
 
+#include "Execution/RankAgreement.h"
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -17,7 +19,7 @@ namespace penumbra
 
 /// All functions that are not const are collective: every rank calls them in the same order. They throw
 /// RankFailure on every rank if one of them calls Fail() instead.
-class RankGroup
+class RankGroup final : public RankAgreement
 {
 public:
   /// `controller` must outlive the group.
@@ -25,6 +27,13 @@ public:
 
   int GetRank() const { return this->Rank; }
   int GetCount() const { return this->Count; }
+  bool IsFirst() const override { return this->Rank == 0; }
+
+  void Compare(const SettingList& settings) override;
+  void Sum(std::vector<double>& values) override;
+  void UniteBounds(double bounds[6]) override;
+  void UniteSentences(std::vector<std::string>& sentences) override;
+  std::string Fail(const std::string& message) override;
 
   /// Returns the messages of all ranks, by rank.
   std::vector<std::string> AllGather(const std::string& message);
@@ -49,9 +58,6 @@ public:
     }
     return this->AllGather(message).back();
   }
-
-  /// Tells all ranks that this one has failed. Returns the message of the lowest rank that has.
-  std::string Fail(const std::string& message);
 
   /// Returns the number of bytes that this rank has received from others.
   long long GetReceivedBytes() const { return this->ReceivedBytes; }

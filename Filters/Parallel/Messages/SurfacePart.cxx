@@ -150,6 +150,29 @@ std::size_t CountUnits(const Surface& surface)
   return surface.Instances ? surface.Instances->GetCount() : surface.GetNumberOfPrimitives();
 }
 
+AxisAlignedBox GetUnitBox(const Surface& surface, std::uint32_t unit)
+{
+  if (surface.Instances)
+  {
+    return surface.Instances->GetBox(unit);
+  }
+  AxisAlignedBox box;
+  if (surface.IsRound())
+  {
+    const RoundShape shape = surface.GetRoundShape(unit);
+    box.Add(shape.A - shape.RadiusA);
+    box.Add(shape.A + shape.RadiusA);
+    box.Add(shape.B - shape.RadiusB);
+    box.Add(shape.B + shape.RadiusB);
+    return box;
+  }
+  for (const glm::vec3& point : surface.GetPoints(unit))
+  {
+    box.Add(point);
+  }
+  return box;
+}
+
 void AddPart(const Surface& surface, const std::vector<Index>& units, ByteWriter& bytes)
 {
   const std::vector<Index> primitives =

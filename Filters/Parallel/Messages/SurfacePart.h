@@ -17,6 +17,9 @@ namespace penumbra
 /// Returns the units of which a surface can be divided: instances, or else primitives.
 std::size_t CountUnits(const Surface& surface);
 
+/// Returns the bounds of a unit of a surface.
+AxisAlignedBox GetUnitBox(const Surface& surface, std::uint32_t unit);
+
 /// Adds the arrays of the part of a surface that has these units, in ascending order. Positions keep
 /// their order.
 void AddPart(const Surface& surface, const std::vector<std::uint32_t>& units, ByteWriter& bytes);

@@ -110,7 +110,14 @@ void CellMarks::MarkToward(const Light& light, const CellMarks& from)
   const bool isFinite = std::isfinite(toward.x + toward.y + toward.z);
   if (!isFinite || (isDirectional && toward == glm::dvec3(0.0)))
   {
-    std::fill(this->Rows.begin(), this->Rows.end(), ~Row{ 0 });
+    this->MarkAll();
+    return;
+  }
+  const double spread =
+    isDirectional ? 2.0 * std::sin(0.5 * light.AngularRadius) : light.Radius / this->CellSize;
+  if (isDirectional && spread > MostDivergence)
+  {
+    this->MarkAll();
     return;
   }
   for (int z = 0; z < Side; ++z)
@@ -122,28 +129,45 @@ void CellMarks::MarkToward(const Light& light, const CellMarks& from)
       {
         if ((row >> x & 1) != 0)
         {
-          this->MarkTowardFromCell({ x, y, z }, toward, isDirectional);
+          this->MarkTowardFromCell({ x, y, z }, toward, isDirectional, spread);
         }
       }
     }
   }
 }
 
-// Rays from a cell are within half a cell of the one from its center, which is within half a cell of one of
-// the points, whose distance is one cell along an axis. After Side + 2 of them it has left the bounds.
-void CellMarks::MarkTowardFromCell(glm::ivec3 cell, glm::dvec3 light, bool isDirectional)
+void CellMarks::MarkAll()
 {
-  constexpr double Reach = 1.0;
+  std::fill(this->Rows.begin(), this->Rows.end(), ~Row{ 0 });
+}
+
+// The ray from a cell to the center of the light is within half a cell of the one from the center of the cell, and
+// that is within half a cell of one of the points, whose distance is one cell along an axis. Other rays to a light
+// with a size diverge from it: all have left the bounds after their diagonal, those of a sphere, which are at least
+// three quarters as long, after 4 / 3 of it.
+void CellMarks::MarkTowardFromCell(
+  glm::ivec3 cell, glm::dvec3 light, bool isDirectional, double spread)
+{
   const glm::dvec3 center = glm::dvec3(cell) + 0.5;
   const glm::dvec3 toLight = isDirectional ? light : light - center;
   const glm::dvec3 size = glm::abs(toLight);
-  const double length = std::max({ size.x, size.y, size.z });
-  const glm::dvec3 step = toLight / std::max(length, 1e-30);
-  const double end = isDirectional ? Side + 2.0 : std::min(length + 1.0, Side + 2.0);
+  const double length = std::max({ size.x, size.y, size.z, 1e-30 });
+  const glm::dvec3 step = toLight / length;
+  const double divergence = isDirectional ? spread * glm::length(step) : spread / length;
+  if (!isDirectional && divergence > MostDivergence)
+  {
+    const double reach = spread + 0.5;
+    this->MarkCells(
+      GetCells(glm::min(center - 0.5, light - reach), glm::max(center + 0.5, light + reach)));
+    return;
+  }
+  const double most = spread > 0.0 ? 3.0 * Side : Side + 2.0;
+  const double end = isDirectional ? most : std::min(length + 1.0, most);
   for (int at = 0; at < end; ++at)
   {
     const glm::dvec3 point = center + static_cast<double>(at) * step;
-    const Range range = GetCells(point - Reach, point + Reach);
+    const double reach = 1.0 + divergence * (at + 0.5);
+    const Range range = GetCells(point - reach, point + reach);
     if (range.IsEmpty())
     {
       break; // outside of the bounds

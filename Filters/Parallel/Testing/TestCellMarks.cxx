@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shadows/CellMarks.h"
+#include "Shadows/RankCells.h"
 
 #include "Light.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace
@@ -74,6 +77,13 @@ Light MakeDirectional(glm::vec3 direction)
   return light;
 }
 
+/// Turns a unit vector by an angle toward another one.
+glm::dvec3 Tilt(glm::dvec3 direction, glm::dvec3 aside, double angle)
+{
+  const glm::dvec3 across = glm::normalize(aside - glm::dot(aside, direction) * direction);
+  return std::cos(angle) * direction + std::sin(angle) * across;
+}
+
 /// Lights inside and outside of the bounds, on borders, corners and centers of cells, and along axes.
 std::vector<Light> MakeLights(Numbers& numbers)
 {
@@ -89,6 +99,13 @@ std::vector<Light> MakeLights(Numbers& numbers)
     lights.push_back(MakePositional(5.f * inside));
     lights.push_back(
       MakeDirectional(glm::normalize(numbers.GetPoint({ glm::vec3(-1.f), glm::vec3(1.f) }))));
+  }
+  const std::size_t count = lights.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    lights.push_back(lights[i]);
+    lights.back().Radius = numbers.Get(0.f, 1.f) * (i % 2 == 0 ? 0.5f : 6.f);
+    lights.back().AngularRadius = numbers.Get(0.f, 1.f) * (i % 2 == 0 ? 0.2f : 1.5f);
   }
   return lights;
 }
@@ -113,9 +130,11 @@ TEST(CellMarks, MeetWhatIsBetweenBoxesAndLights)
       for (int i = 0; i < 3000; ++i)
       {
         const glm::dvec3 from = numbers.GetPoint(box);
+        const glm::dvec3 aside =
+          glm::normalize(glm::dvec3(numbers.GetPoint({ glm::vec3(-1.f), glm::vec3(1.f) })));
         const glm::dvec3 toLight = light.Kind == Light::Kinds::Directional
-          ? -30.0 * glm::dvec3(light.Direction)
-          : glm::dvec3(light.Position) - from;
+          ? 30.0 * Tilt(-glm::dvec3(light.Direction), aside, light.AngularRadius)
+          : glm::dvec3(light.Position) + 1.0 * light.Radius * aside - from;
         const double most = std::min(1.0, 30.0 / glm::length(toLight));
         const glm::vec3 between(from + most * numbers.Get(0.f, 1.f) * toLight);
         if (Contains(Bounds, between))
@@ -144,6 +163,18 @@ TEST(CellMarks, DoNotMeetWhatIsFarFromRays)
   near.MarkToward(MakePositional({ 1.f, 4.f, 14.f }), seen);
   EXPECT_TRUE(near.Meet(MakePoint({ 1.f, 4.f, 13.f })));
   EXPECT_FALSE(near.Meet(MakePoint(beyondTheLight)));
+  Light sun = MakeDirectional({ 0.f, 0.f, -1.f });
+  sun.AngularRadius = 0.1f;
+  CellMarks cone(Bounds);
+  cone.MarkToward(sun, seen);
+  EXPECT_TRUE(cone.Meet(MakePoint({ 1.7f, 4.f, 16.f })));
+  EXPECT_FALSE(cone.Meet(MakePoint({ 3.f, 4.f, 16.f })));
+  Light bulb = MakePositional({ 1.f, 4.f, 14.f });
+  bulb.Radius = 2.f; // not far, so that a box is marked
+  CellMarks wide(Bounds);
+  wide.MarkToward(bulb, seen);
+  EXPECT_TRUE(wide.Meet(MakePoint({ 2.9f, 4.f, 14.f })));
+  EXPECT_FALSE(wide.Meet(MakePoint({ 4.f, 4.f, 14.f })));
   CellMarks inside(Bounds);
   inside.MarkToward(MakePositional({ 1.125f, 4.125f, 9.125f }), seen); // the center of a cell
   EXPECT_TRUE(inside.Meet(MakePoint({ 1.f, 4.f, 9.f })));
@@ -205,5 +236,39 @@ TEST(CellMarks, MeetTheSameAsAllCellsOfBoxes)
     }
     EXPECT_GT(met, 0);
     EXPECT_LT(met, Count);
+  }
+}
+
+TEST(RankCells, AreTheMarksOfAllRanks)
+{
+  Numbers numbers;
+  for (const std::size_t ranks : { 1, 7, 64, 130 })
+  {
+    std::vector<CellMarks> marks(ranks, CellMarks(Bounds));
+    std::vector<std::string> written;
+    for (CellMarks& each : marks)
+    {
+      each.Mark(numbers.GetBox(3.f));
+      written.push_back(each.Write());
+    }
+    const penumbra::RankCells cells(Bounds, written);
+    for (const float size : { 0.f, 1.f, 16.f })
+    {
+      for (int i = 0; i < 200; ++i)
+      {
+        const AxisAlignedBox box = numbers.GetBox(size);
+        std::vector<std::size_t> expected;
+        for (std::size_t rank = 0; rank < ranks; ++rank)
+        {
+          if (marks[rank].Meet(box))
+          {
+            expected.push_back(rank);
+          }
+        }
+        std::vector<std::size_t> found;
+        cells.VisitRanks(box, [&](std::size_t rank) { found.push_back(rank); });
+        ASSERT_EQ(found, expected);
+      }
+    }
   }
 }

@@ -17,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -136,4 +137,41 @@ TEST(vtkPenumbraDistributedRayCaster, GathersForLightWithOneWarning)
   EXPECT_EQ(images[1].count("Warning"), 0u);
   EXPECT_EQ(GetNumber(images[0], "Statistics/Exchange/Primitives"),
     GetNumber(images[0], "Statistics/Exchange/WholePrimitives"));
+}
+
+TEST(vtkPenumbraDistributedRayCaster, WarnsOnceIfNoLightReachesTheImage)
+{
+  for (const double z : { 4.0, 1e30, -4.0 })
+  {
+    SCOPED_TRACE(z);
+    const auto render = [z](Caster* caster, int rank, int ranks) {
+      return Render(caster, {}, [&](Caster* each) {
+        const vtkSmartPointer<vtkRenderer> renderer =
+          MakeRenderer(MakePiece(rank, ranks, 10), KeepActor);
+        auto* light = vtkLight::SafeDownCast(renderer->GetLights()->GetItemAsObject(0));
+        light->SetPositional(true);
+        light->SetConeAngle(180.0);
+        light->SetPosition(2.0, 1.5, z);
+        each->SetRenderer(renderer);
+        each->ShadowsOn();
+      });
+    };
+    const Image expected =
+      Unpack(RunRanks(1, [&](int) { return Pack(render(vtkNew<vtkPenumbraRayCaster>(), 0, 1)); })[0]
+               .Value);
+    const auto isWarned = [](const Image& image) {
+      return image.count("Warning") != 0 &&
+        image.at("Warning").find("no light reaches them") != std::string::npos;
+    };
+    EXPECT_EQ(isWarned(expected), z == 1e30);
+    std::vector<Image> images;
+    for (const RankResult& result : RunRanks(3, [&](int rank) {
+           return Pack(render(vtkNew<vtkPenumbraDistributedRayCaster>(), rank, 3));
+         }))
+    {
+      images.push_back(Unpack(result.Value));
+    }
+    EXPECT_EQ(isWarned(images[0]), isWarned(expected));
+    EXPECT_FALSE(isWarned(images[1]) || isWarned(images[2]));
+  }
 }

@@ -7,13 +7,11 @@
 #ifndef penumbra_SceneDistribution_h
 #define penumbra_SceneDistribution_h
 
+#include "Execution/RankAgreement.h"
 #include "Image/ImageRenderer.h"
 
 #include "vtkSmartPointer.h"
 
-#include <stdexcept>
-#include <string>
-#include <utility>
 #include <vector>
 
 class vtkImageData;
@@ -22,16 +20,6 @@ namespace penumbra
 {
 
 struct Scene;
-
-/// Thrown on all ranks if one of them fails, with its message.
-class RankFailure : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Names and values of settings that all ranks must agree on.
-using SettingList = std::vector<std::pair<std::string, std::string>>;
 
 class SceneDistribution
 {
@@ -46,8 +34,8 @@ public:
 
   virtual ~SceneDistribution() = default;
 
-  /// Throws RankFailure, with the name of the first setting that differs between ranks, if there is one.
-  virtual void Compare(const SettingList& settings) = 0;
+  /// Returns what the ranks find out together for any purpose.
+  virtual RankAgreement& GetRanks() = 0;
 
   /// Enlarges the bounds and the radius to those of all ranks, see ExtractionOptions::UniteExtent.
   virtual void UniteExtent(double bounds[6], double& radius) = 0;
@@ -66,11 +54,6 @@ public:
 
   /// Sends each rank the part of the first rank's `image`, with its field data, that `extent` requests.
   virtual void Deliver(const int extent[6], vtkImageData* image) = 0;
-
-  virtual bool IsFirst() const = 0;
-
-  /// Tells the other ranks that this one has failed. Returns the message of the first one that has.
-  virtual std::string Fail(const std::string& message) = 0;
 };
 
 }

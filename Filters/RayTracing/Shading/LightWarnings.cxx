@@ -21,12 +21,6 @@ namespace penumbra
 namespace
 {
 
-/// Returns true if other ranks of a parallel program have the rest of a surface.
-bool IsPart(const Surface& surface)
-{
-  return surface.Whole && surface.GetNumberOfStoredPrimitives() < surface.Whole->Primitives;
-}
-
 /// Returns true if the bounding box of three points, enlarged by `radius`, contains `center`.
 bool IsNearBox(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 center, float radius)
 {
@@ -173,38 +167,39 @@ std::vector<std::string> DescribeLightOverlaps(const Scene& scene)
   return sentences;
 }
 
-std::string DescribeMissingLight(const RayScene& rays, bool shadows, const Illumination* indirect)
+FoundLight FindLight(const RayScene& rays, bool shadows, const Illumination* indirect,
+  const std::function<bool(glm::ivec2)>& isAsked)
 {
-  const std::vector<Surface>& surfaces = rays.GetScene().Surfaces;
-  if (rays.GetScene().EnvironmentReflections ||
-    std::any_of(surfaces.begin(), surfaces.end(), IsPart))
-  {
-    return {};
-  }
+  FoundLight found;
+  found.IsLit = rays.GetScene().EnvironmentReflections != nullptr;
   const Camera& camera = rays.GetScene().ViewCamera;
   const Shading shading(rays, shadows);
-  bool isDark = false;
-  for (int k = 0; k < MissingLightGridSide * MissingLightGridSide; ++k)
+  for (int k = 0; k < MissingLightGridSide * MissingLightGridSide && !found.IsLit; ++k)
   {
     const glm::dvec2 cell(k % MissingLightGridSide, k / MissingLightGridSide);
     const glm::dvec2 at =
       (cell + .5) / double(MissingLightGridSide) * glm::dvec2(camera.Width, camera.Height);
+    if (isAsked && !isAsked(glm::ivec2(at)))
+    {
+      continue;
+    }
     Ray ray;
     ray.Origin = glm::vec3(camera.RayOrigin(at));
     ray.Direction = glm::vec3(camera.RayDirection(at));
     const Finding finding = SearchLight(rays, shading, indirect, ray);
-    if (finding == Finding::Lit)
-    {
-      return {};
-    }
-    isDark = isDark || finding == Finding::Dark;
+    found.IsLit = finding == Finding::Lit;
+    found.IsDark = found.IsDark || finding == Finding::Dark;
   }
-  return isDark ? "The visible surfaces are black, because no light reaches them. Move lights "
-                  "out of closed "
-                  "surfaces, add a light or a surface with ambient color where the camera looks, "
-                  "or open closed "
-                  "spaces to EnvironmentColor or Environment."
-                : std::string();
+  return found;
+}
+
+std::string DescribeMissingLight(const FoundLight& found)
+{
+  return found.IsDark && !found.IsLit
+    ? "The visible surfaces are black, because no light reaches them. Move lights "
+      "out of closed surfaces, add a light or a surface with ambient color where the camera looks, "
+      "or open closed spaces to EnvironmentColor or Environment."
+    : std::string();
 }
 
 }

@@ -9,6 +9,9 @@
 #include "Illumination.h"
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
+#include <glm/glm.hpp>
+
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,14 +27,22 @@ struct Scene;
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT std::vector<std::string> DescribeLightOverlaps(
   const Scene& scene);
 
-/// Returns one sentence that says what to do if neither direct nor reflected light was found at any
-/// surface point that the camera sees in a grid of pixels: the camera may be in a closed box without a
-/// light, or the light inside an opaque object. Returns an empty string if light was found, if nothing is
-/// in view, if the visible surfaces are black, or if other ranks have parts of surfaces. `shadows`: lights cast
-/// shadows. `indirect`: reflected light and that of the environment, which takes a few thousand rays at most;
-/// null if there is none.
-VTKPENUMBRAFILTERSRAYTRACING_EXPORT std::string DescribeMissingLight(
-  const RayScene& rays, bool shadows, const Illumination* indirect);
+/// What FindLight() has found.
+struct FoundLight
+{
+  bool IsLit = false;  ///< direct or reflected light, or that of an environment
+  bool IsDark = false; ///< a surface that reflects light and gets none
+};
+
+/// Searches for light at the surface points that the camera sees in a grid of pixels, until it is found.
+/// `shadows`: lights cast shadows. `indirect`: reflected light and that of the environment, which takes a few
+/// thousand rays at most; null if there is none. `isAsked`: returns false for the pixels to skip; if empty, none are.
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT FoundLight FindLight(const RayScene& rays, bool shadows,
+  const Illumination* indirect, const std::function<bool(glm::ivec2)>& isAsked = {});
+
+/// Returns one sentence that says what to do if surfaces are in view and no light was found: the camera may be in
+/// a closed box without a light, or the light inside an opaque object. Otherwise, returns an empty string.
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT std::string DescribeMissingLight(const FoundLight& found);
 
 }
 #endif

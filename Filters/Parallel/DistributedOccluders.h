@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The occluders of baking, distributed over the ranks of a controller.
+#ifndef penumbra_DistributedOccluders_h
+#define penumbra_DistributedOccluders_h
+
+#include "Distribution/OccluderDistribution.h"
+#include "Messages/ExchangeCounts.h"
+#include "Messages/RankGroup.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace penumbra
+{
+
+struct AxisAlignedBox;
+class CellMarks;
+struct UnitedSurface;
+
+class DistributedOccluders final : public OccluderDistribution
+{
+public:
+  /// `warn` is called on the first rank if all surfaces must be sent to every rank.
+  DistributedOccluders(
+    vtkMultiProcessController* controller, std::function<void(const std::string&)> warn);
+
+  RankAgreement& GetRanks() override { return this->Ranks; }
+  std::uint32_t Exchange(
+    Scene& scene, const std::vector<glm::vec3>& points, std::optional<double> radius) override;
+
+  const ExchangeCounts& GetCounts() const { return this->Counts; }
+
+private:
+  std::vector<std::string> ExchangeParts(const Scene& scene,
+    const std::vector<UnitedSurface>& united, const AxisAlignedBox& bounds,
+    const CellMarks& needed);
+
+  RankGroup Ranks;
+  std::function<void(const std::string&)> Warn;
+  ExchangeCounts Counts;
+};
+
+}
+#endif
