@@ -79,6 +79,8 @@ std::optional<PixelResult> PixelIntegrator::Apply(PixelMethod method)
       return this->Sampler.SampleFaces(true);
     case PixelMethod::Rays:
       return this->Sampler.Sample(SampleSource::Rays);
+    case PixelMethod::LitRays:
+      return this->Sampler.Sample(SampleSource::LitRays);
     case PixelMethod::Triangles:
       return this->Sampler.Sample(SampleSource::Triangles);
     case PixelMethod::Layers:

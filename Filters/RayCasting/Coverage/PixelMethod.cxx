@@ -4,6 +4,7 @@
 
 #include "Pixels/CoverageConstants.h"
 #include "Pixels/TextureBorders.h"
+#include "Sampling/SampleLight.h"
 
 #include <algorithm>
 
@@ -77,6 +78,10 @@ PixelMethod ChooseMethod(const PixelContext& pixel, PixelEdges& edges, const Til
   if (settings.Method == CoverageMethods::Uniform)
   {
     return PixelMethod::Uniform;
+  }
+  if (settings.Light && settings.Light->LightsSamples(pixel.Position))
+  {
+    return PixelMethod::LitRays;
   }
   if (settings.Method == CoverageMethods::Subdivision)
   {

@@ -24,6 +24,7 @@ enum class PixelMethod
   Faces,        ///< faces with one ray each, which samples correct if the tile requires it
   SampledFaces, ///< the same with samples at once
   Rays,         ///< traced samples
+  LitRays,      ///< traced samples with light of their own
   Triangles,    ///< rasterized samples: the nearest triangle at each
   Layers        ///< rasterized samples: all triangles at each
 };

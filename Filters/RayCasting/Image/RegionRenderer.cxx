@@ -68,11 +68,13 @@ RegionRenderer::RegionRenderer(const CameraRayTracer& tracer, const SceneEdges& 
   this->Region.Errors.resize(pixels);
   this->Region.LightErrors.resize(settings.HasLightErrors() ? pixels : 0);
   this->Region.RaysPerPixel.resize(pixels);
+  this->Region.Occlusions.resize(settings.KeepsOcclusion ? pixels : 0);
   this->Traced.assign(UsesCorners ? this->Grid.GetNumberOfStrips() : 0, 0);
   this->Resolved.assign(tracer.GetShading().HasPenumbrae() ? this->Traced.size() : 0, 0);
   if (settings.Light)
   {
     this->Field = LightField::Make(tracer, *settings.Light, low, high);
+    this->Settings.Integration.Light = this->Field.get();
   }
 }
 
@@ -288,13 +290,17 @@ void RegionRenderer::Complete(ImageRegion& region) const
   {
     return;
   }
-  region.Occlusions.resize(this->Settings.KeepsOcclusion ? region.Colors.size() : 0);
   for (int y = region.Low.y; y < region.High.y; ++y)
   {
     for (int x = region.Low.x; x < region.High.x; ++x)
     {
       const std::size_t index = region.Index(x, y);
-      if (this->Field->HasSites())
+      const bool isSampled = this->Field->HasSites() && this->Field->LightsSamples({ x, y });
+      if (isSampled && region.RaysPerPixel[index] > 0.f)
+      {
+        continue; // with light
+      }
+      if (this->Field->HasSites() && !isSampled)
       {
         Apply(this->Field->At(x, y), index, region);
       }
@@ -305,8 +311,9 @@ void RegionRenderer::Complete(ImageRegion& region) const
       }
       if (!region.Occlusions.empty())
       {
-        region.Occlusions[index] = this->Field->HasSites() ? this->Field->GetMeanOcclusion(x, y)
-                                                           : this->Coarse->At(x, y).Occlusion;
+        region.Occlusions[index] = this->Field->HasSites() && !isSampled
+          ? this->Field->GetMeanOcclusion(x, y)
+          : this->Coarse->At(x, y).Occlusion;
       }
     }
   }

@@ -62,7 +62,7 @@ private:
 
   const CameraRayTracer& Tracer;
   const SceneEdges& Edges;
-  const RenderSettings Settings;
+  RenderSettings Settings;
   const bool UsesCorners;
   const RegionTiles::Rectangle PixelsOfCorners;
   const Schedule Ends;

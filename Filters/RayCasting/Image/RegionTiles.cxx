@@ -124,6 +124,10 @@ void StorePixel(
   {
     region.LightErrors[index] = std::hypot(result.LightError, mediumError);
   }
+  if (!region.Occlusions.empty())
+  {
+    region.Occlusions[index] = result.Occlusion;
+  }
 }
 
 RegionTiles::RegionTiles(const CameraRayTracer& tracer, const CornerGrid& grid,
@@ -210,9 +214,30 @@ std::vector<std::uint32_t> RegionTiles::SortEdges(int tile) const
   return indices;
 }
 
+bool RegionTiles::IsLit(int tile) const
+{
+  const SampleLight* const light = this->Settings.Integration.Light;
+  const Rectangle pixels = this->GetPixels(tile);
+  bool isLit = light != nullptr;
+  for (int y = pixels.Low.y; y < pixels.High.y && isLit; y += ErrorTileSide)
+  {
+    for (int x = pixels.Low.x; x < pixels.High.x && isLit; x += ErrorTileSide)
+    {
+      isLit = light->LightsSamples({ x, y });
+    }
+  }
+  return isLit;
+}
+
 template <typename Use>
 void RegionTiles::UseEdges(int tile, const Use& use) const
 {
+  if (this->IsLit(tile))
+  {
+    const std::vector<ProjectedEdge> none;
+    use(TileEdges{ none, nullptr, 0, true });
+    return;
+  }
   const std::vector<std::uint32_t> sorted = this->SortEdges(tile);
   const std::uint32_t* const indices = sorted.data();
   const std::size_t count = sorted.size();

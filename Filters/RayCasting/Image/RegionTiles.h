@@ -68,6 +68,8 @@ private:
   /// Calls use(edges) with the edges of a tile.
   template <typename Use>
   void UseEdges(int tile, const Use& use) const;
+  /// Returns true if the samples of all pixels of a tile are lit.
+  bool IsLit(int tile) const;
   int RenderPixels(const Rectangle& pixels, PixelIntegrator& integrator, ImageRegion& region) const;
 
   const CameraRayTracer& Tracer;

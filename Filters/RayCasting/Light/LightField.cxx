@@ -5,6 +5,7 @@
 #include "LightConstants.h"
 #include "RayGrowth.h"
 #include "Sampling/CameraRayTracer.h"
+#include "ScatteredTiles.h"
 #include "Scene.h"
 #include "SiteJoining.h"
 #include "SiteSampler.h"
@@ -71,12 +72,18 @@ public:
     {
       this->FoundSites.resize(this->Count);
       this->Done.assign(this->Count, 0);
+      this->Scattered.assign(this->Count, 0);
       this->Grid.Pixels.assign(
         static_cast<std::size_t>(this->Grid.GetSize().x) * this->Grid.GetSize().y, LightPixel());
     }
     const bool finished = this->ForTiles(
       limit, from, to, progress, counts, this->Count, [&](int tile, SiteSampler<N>& sampler) {
         std::vector<LightSite<N>>& sites = this->FoundSites[tile];
+        this->Scattered[tile] = this->IsScattered(this->GetFirst(tile), sampler.Counts) ? 1 : 0;
+        if (this->Scattered[tile])
+        {
+          return;
+        }
         this->VisitBlocks(tile, [&](glm::ivec2 first) {
           sampler.FindSites(first);
           for (int cell = 0; cell < SiteSampler<N>::Cells; ++cell)
@@ -95,6 +102,13 @@ public:
       this->JoinTiles();
     }
     return finished;
+  }
+
+  /// Returns true if the tile of a pixel is scattered, so that it has no sites.
+  bool IsScatteredAt(glm::ivec2 pixel) const
+  {
+    const glm::ivec2 tile = (pixel - this->Grid.Low) / LightTileSide;
+    return this->Scattered[static_cast<std::size_t>(tile.y) * this->Tiles.x + tile.x] != 0;
   }
 
   /// Increases the targets of pixels in the tiles whose estimated error exceeds `tolerance`. Returns
@@ -145,6 +159,15 @@ public:
   }
 
 private:
+  bool IsScattered(glm::ivec2 first, RayCounts& counts) const
+  {
+    const Camera& camera = this->Tracer.GetCamera();
+    return !this->Tracer.HasTranslucentSurfaces() && !this->Tracer.HasShafts() &&
+      !this->Tracer.GetShading().HasPenumbrae() &&
+      penumbra::IsScattered(this->Tracer, first,
+        glm::min(first + LightTileSide, glm::ivec2(camera.Width, camera.Height)), counts);
+  }
+
   /// Moves the sites of all tiles to the grid.
   void JoinTiles()
   {
@@ -238,6 +261,7 @@ private:
   int Count;
   std::vector<int> Increased;                        ///< tiles that get more samples in this round
   std::vector<char> Done;                            ///< flags of the tiles of this round
+  std::vector<char> Scattered;                       ///< flags of all tiles
   std::vector<std::vector<LightSite<N>>> FoundSites; ///< per tile, until all are known
 };
 
@@ -255,6 +279,13 @@ public:
     RayCounts& counts) override;
   bool HasSites() const override { return this->Round > 0; }
   Change At(int x, int y) const override;
+  bool LightsSamples(glm::ivec2 pixel) const override { return this->Tiles.IsScatteredAt(pixel); }
+  double GetTolerance() const override { return this->Tolerance; }
+  void TraceSamples(std::uint32_t seed, std::uint32_t first, const glm::dvec2* points,
+    Packet& packet, RayCounts& counts) const override
+  {
+    this->Samples.Trace(seed, first, points, packet, counts);
+  }
   float GetMeanOcclusion(int x, int y) const override;
 
 private:
@@ -269,6 +300,7 @@ private:
   TileSamples<N> Tiles;
   double Tolerance;
   float UniformLight;
+  LitSamples<N> Samples;
   bool UsesColors; ///< the color of a pixel tells which parts of it the sites cover
   int Round = 0;   ///< next one; 0: the sites are not known
 };
@@ -281,6 +313,7 @@ JoinedLight<N>::JoinedLight(
     Tiles(*this, this->Grid, tracer, this->Rays),
     Tolerance(effects.Tolerance),
     UniformLight(effects.GetUniformLight()),
+    Samples(tracer, this->Rays, this->UniformLight),
     UsesColors(!tracer.HasShafts())
 {
   this->Grid.SquaredRange = this->Rays.GetSquaredRange();

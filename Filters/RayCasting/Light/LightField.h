@@ -8,7 +8,7 @@
 #include "Execution/ParallelFor.h"
 #include "Execution/WorkLimit.h"
 #include "LightRays.h"
-#include "Sampling/RayCounts.h"
+#include "Sampling/SampleLight.h"
 
 #include <memory>
 
@@ -17,7 +17,7 @@ namespace penumbra
 
 class CameraRayTracer;
 
-class LightField
+class LightField : public SampleLight
 {
 public:
   /// Prepares the estimate of the light in the pixels [low, high) of the image to the tolerance of
@@ -25,11 +25,6 @@ public:
   /// threads. The arguments must outlive the result.
   static std::unique_ptr<LightField> Make(
     const CameraRayTracer& tracer, const LightEffects& effects, glm::ivec2 low, glm::ivec2 high);
-
-  LightField() = default;
-  virtual ~LightField() = default;
-  LightField(const LightField&) = delete;
-  LightField& operator=(const LightField&) = delete;
 
   /// Finds the visible surfaces with few rays each, the first round. Returns false if `limit` (null:
   /// none) ended it; the next call continues. `progress` receives fractions in [from, to]. Adds the rays
@@ -44,7 +39,8 @@ public:
   /// Returns true if FindSites() has finished. The results are available from then on.
   virtual bool HasSites() const = 0;
 
-  /// Maps the color c of a pixel without occlusion, under uniform light, to Factor * c + Offset.
+  /// Maps the color c of a pixel without occlusion, under uniform light, to Factor * c + Offset. The default
+  /// one where samples are lit one by one.
   struct Change
   {
     glm::vec3 Factor{ 1.f };

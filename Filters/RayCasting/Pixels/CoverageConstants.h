@@ -110,6 +110,8 @@ constexpr double MaximumPixelError = 2.0;
 /// The squared error of n samples of a low-discrepancy sequence is assumed to be proportional to
 /// this power of 1/n, as for straight edges.
 constexpr double SampledErrorDecay = 1.5;
+/// The same for samples with light, whose variance dominates.
+constexpr double LitErrorDecay = 1.0;
 /// Number of samples whose own estimate of their error counts as much as that of the tile.
 constexpr double PooledSamples = 8.0;
 /// Factor on the standard error of samples, so that few errors exceed the estimate.

@@ -15,6 +15,8 @@
 namespace penumbra
 {
 
+class SampleLight;
+
 /// Settings of PixelIntegrator; see the properties and constants of vtkPenumbraRayCaster with the same
 /// names.
 struct IntegrationSettings
@@ -28,7 +30,8 @@ struct IntegrationSettings
   bool Shadows = false;
   double LightTolerance = 0.0; ///< accepted RMSE that light effects add; 0: there are none
   double Noise = 0.0;          ///< standard error of sampled colors, which refinement cannot reduce
-  WorkLimit* Limit = nullptr;  ///< ends the refinement of pixels early; null: none
+  const SampleLight* Light = nullptr; ///< of pixels that it selects; null: none
+  WorkLimit* Limit = nullptr;         ///< ends the refinement of pixels early; null: none
 
   /// Returns the accepted RMSE of a tile.
   double GetTileTolerance() const
@@ -66,6 +69,7 @@ struct PixelResult
   glm::vec4 Color{ 0.f }; ///< premultiplied by alpha
   float Error = 0.f;      ///< estimated RMS error of the three color components
   float LightError = 0.f; ///< part of Error that light effects cause
+  float Occlusion = 0.f;  ///< mean of the surfaces in a pixel whose samples are lit
 };
 
 }

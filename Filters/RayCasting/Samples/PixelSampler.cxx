@@ -176,6 +176,10 @@ void PixelSampler::Refine(SampledPixel& pixel)
   {
     this->TraceSamples(pixel, total);
   }
+  else if (pixel.Source == SampleSource::LitRays)
+  {
+    this->TraceLitSamples(pixel, total);
+  }
   else
   {
     this->Rasterizer->SelectPixel({ pixel.X, pixel.Y });
@@ -190,6 +194,37 @@ void PixelSampler::Refine(SampledPixel& pixel)
   const float confidence = isBlended ? LayerConfidenceFactor : ConfidenceFactor;
   this->Pixel.SetErrors(confidence * static_cast<float>(std::sqrt(EstimateVariance(pixel))),
     std::max(pixel.MinimumError, pixel.Floor / static_cast<float>(total)), pixel.Result);
+}
+
+void PixelSampler::TraceLitSamples(SampledPixel& pixel, std::size_t total)
+{
+  const std::size_t before = pixel.Samples.size();
+  const OwenSobolSequence sequence(pixel.GetSeed());
+  glm::dvec2 points[CameraRayTracer::PacketSize];
+  pixel.Samples.reserve(total);
+  this->Lit.Occlusion = pixel.Occlusion;
+  this->Lit.Surfaces = pixel.Surfaces;
+  while (pixel.Samples.size() < total)
+  {
+    const auto first = static_cast<std::uint32_t>(pixel.Samples.size());
+    for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
+    {
+      points[i] = glm::dvec2(pixel.X, pixel.Y) + SampleInset +
+        (1.0 - 2.0 * SampleInset) * glm::dvec2(sequence.At(first + i));
+    }
+    this->Pixel.Settings.Light->TraceSamples(
+      pixel.GetSeed(), first, points, this->Lit, this->Pixel.Rays);
+    for (const penumbra::Sample& sample : this->Lit.Samples)
+    {
+      pixel.Samples.push_back(sample.Color);
+    }
+  }
+  pixel.Occlusion = this->Lit.Occlusion;
+  pixel.Surfaces = this->Lit.Surfaces;
+  pixel.Result.Occlusion =
+    pixel.Surfaces > 0 ? pixel.Occlusion / static_cast<float>(pixel.Surfaces) : 0.f;
+  this->Pixel.Rays.Refinement += static_cast<long long>(total - before);
+  pixel.Rays += static_cast<long long>(total - before);
 }
 
 void PixelSampler::TraceSamples(SampledPixel& pixel, std::size_t total)

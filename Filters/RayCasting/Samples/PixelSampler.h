@@ -11,6 +11,7 @@
 #include "Pixels/PixelErrors.h"
 #include "RasterizedSampler.h"
 #include "SampledPixel.h"
+#include "Sampling/SampleLight.h"
 
 #include <optional>
 #include <vector>
@@ -36,11 +37,12 @@ public:
   /// Doubles the number of samples of a pixel; the first MinimumSamples are traced at once.
   void Refine(SampledPixel& pixel);
 
-  /// Returns the maximum number of samples of a tile, per pixel.
-  double GetSampleBudget() const
+  /// Returns the maximum number of samples of a tile, per pixel. `isLit`: the samples are lit.
+  double GetSampleBudget(bool isLit) const
   {
     const double tolerance = this->Pixel.Settings.Tolerance;
-    return this->IsExactCostly ? ComputeMaximumSamples(tolerance) : ComputeSampleBudget(tolerance);
+    return this->IsExactCostly || isLit ? ComputeMaximumSamples(tolerance)
+                                        : ComputeSampleBudget(tolerance);
   }
 
   std::vector<SampledPixel>& GetPixels() { return this->Sampled; }
@@ -51,6 +53,7 @@ private:
   bool BuildFaces();
   void ComputeFaceColors(SampledPixel& pixel);
   void TraceSamples(SampledPixel& pixel, std::size_t total);
+  void TraceLitSamples(SampledPixel& pixel, std::size_t total);
 
   PixelContext& Pixel;
   PixelEdges& Edges;
@@ -59,6 +62,7 @@ private:
   std::optional<RasterizedSampler> Rasterized;
   std::optional<LayerSampler> Layers;
   PixelArrangement Arrangement;
+  SampleLight::Packet Lit;
   std::vector<SampledPixel> Sampled;
 };
 

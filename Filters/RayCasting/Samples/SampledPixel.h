@@ -25,6 +25,7 @@ struct Surface;
 enum class SampleSource
 {
   Rays,
+  LitRays,   ///< traced with light of their own, see SampleLight
   Triangles, ///< the nearest triangle at each sample, found without rays
   Layers     ///< all triangles at each sample, found without rays
 };
@@ -101,6 +102,8 @@ struct SampledPixel
   float Floor = 0.f;        ///< minimum estimated error of a single sample, over samples
   float MinimumError = 0.f; ///< minimum estimated error of any number of samples
   float MediumError = 0.f;  ///< estimated error of in-scattered light
+  float Occlusion = 0.f;    ///< sum over the lit samples that show a surface
+  int Surfaces = 0;         ///< number of these samples
   double Noise = 0.0;       ///< standard error of the colors of its samples
   PixelResult Result;
 
@@ -109,6 +112,11 @@ struct SampledPixel
   {
     return static_cast<std::uint32_t>(this->X) * 0x9e3779b1u ^
       static_cast<std::uint32_t>(this->Y) * 0x85ebca77u;
+  }
+
+  bool IsTraced() const
+  {
+    return this->Source == SampleSource::Rays || this->Source == SampleSource::LitRays;
   }
 
   std::size_t GetNumberOfSamples() const

@@ -22,6 +22,12 @@ double Square(double x)
   return x * x;
 }
 
+/// Returns the power of the number of samples that reduces the squared error of a pixel.
+double GetDecay(const SampledPixel& pixel)
+{
+  return pixel.Source == SampleSource::LitRays ? LitErrorDecay : SampledErrorDecay;
+}
+
 /// Estimates of the errors of pixels. Few samples estimate their own error poorly. Such a pixel is
 /// therefore assigned a part of the mean over all sampled pixels.
 class PooledErrors
@@ -57,7 +63,7 @@ private:
   /// Returns the factor by which samples reduce the squared error.
   static double ComputeDecay(const SampledPixel& pixel)
   {
-    return std::pow(static_cast<double>(pixel.GetNumberOfSamples()), SampledErrorDecay);
+    return std::pow(static_cast<double>(pixel.GetNumberOfSamples()), GetDecay(pixel));
   }
 
   double Mean = 0.0;
@@ -67,9 +73,9 @@ private:
 double ComputeCost(const SampledPixel& pixel)
 {
   const double samples = std::max<double>(pixel.GetNumberOfSamples(), MinimumSamples);
-  return !pixel.Textures.empty()         ? samples / TexturedSamplesPerRay
-    : pixel.Source != SampleSource::Rays ? samples / RasterizedSamplesPerRay
-                                         : samples;
+  return !pixel.Textures.empty() ? samples / TexturedSamplesPerRay
+    : pixel.IsTraced()           ? samples
+                                 : samples / RasterizedSamplesPerRay;
 }
 
 struct Candidate
@@ -85,13 +91,15 @@ bool RefineTile(
   PixelSampler& sampler, const std::vector<SampledPixel*>& pixels, int count, double squaredError)
 {
   const IntegrationSettings& settings = sampler.GetSettings();
-  const double limit = Square(settings.GetTileTolerance());
+  const bool isLit = !pixels.empty() && pixels.front()->Source == SampleSource::LitRays;
+  const double limit =
+    Square(settings.GetTileTolerance()) + (isLit ? Square(settings.Light->GetTolerance()) : 0.0);
   const double tileLimit = limit * count;
   const double pixelLimit = limit * Square(MaximumPixelError);
   const int maximumSamples =
     std::min(SampleBudgetFactor * ComputeMaximumSamples(settings.Tolerance), MaximumSamples);
   // A few pixels may use the budget of the whole tile, even at the edge of the image.
-  double budget = sampler.GetSampleBudget() * PixelsPerTile;
+  double budget = sampler.GetSampleBudget(isLit) * PixelsPerTile;
   std::vector<Candidate> candidates;
   bool isEnded = false;
   for (;;)
@@ -122,7 +130,7 @@ bool RefineTile(
           break;
         }
         sampler.Refine(*candidate.Pixel);
-        sum -= (1.0 - std::exp2(-SampledErrorDecay)) * candidate.SquaredError;
+        sum -= (1.0 - std::exp2(-GetDecay(*candidate.Pixel))) * candidate.SquaredError;
         budget -= rays;
         refined = true;
       }
@@ -136,7 +144,9 @@ bool RefineTile(
   for (SampledPixel* pixel : pixels)
   {
     pixel->Result.Error = static_cast<float>(std::sqrt(pooled.ComputeSquaredError(*pixel)));
-    pixel->Result.LightError = std::min(pixel->Result.LightError, pixel->Result.Error);
+    pixel->Result.LightError = isLit
+      ? static_cast<float>(settings.Light->GetTolerance() / std::sqrt(limit)) * pixel->Result.Error
+      : std::min(pixel->Result.LightError, pixel->Result.Error);
   }
   return !isEnded;
 }

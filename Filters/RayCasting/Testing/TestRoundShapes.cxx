@@ -351,6 +351,52 @@ TEST(RoundShapes, GiveTheSameBitsForPartsOfTilesWithManyOutlines)
   }
 }
 
+TEST(RoundShapes, AreOccludedWithinTheToleranceIfTheyAreSmall)
+{
+  RoundScene scene(MakeCells(MakeRandomCenters(60000, 5.0), {}));
+  scene.Caster->SetResolution(64, 64);
+  scene.Caster->SetPointRadius(0.03);
+  scene.Caster->AmbientOcclusionOn();
+  scene.Caster->SetAmbientOcclusionRadius(0.15);
+  scene.Caster->SetTolerance(0.03);
+  scene.Caster->SetLightTolerance(0.03);
+  scene.Caster->GeometryArraysOn();
+  const std::vector<double> image = scene.RenderRed();
+  EXPECT_EQ(scene.Statistic("Tiles/AboveTolerance"), 0.0);
+  vtkDataArray* occlusion = scene.Caster->GetOutput()->GetPointData()->GetArray("AmbientOcclusion");
+  int covered = 0; // pixels of white unlit spheres before black
+  for (vtkIdType i = 0; i < occlusion->GetNumberOfTuples(); ++i)
+  {
+    EXPECT_LE(image[i], 1.0 - occlusion->GetTuple1(i) + 1e-5) << i;
+    covered += image[i] > 1.0 - occlusion->GetTuple1(i) - 1e-5 ? 1 : 0;
+  }
+  EXPECT_GT(covered, 800);
+  scene.Caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+  scene.Caster->GetConstants().UniformSamples = 12;
+  for (const double error : CompareTiles(scene.RenderRed(), image))
+  {
+    EXPECT_GT(error, 0.0);
+    EXPECT_LT(error, std::hypot(0.03, 0.03));
+  }
+}
+
+TEST(RoundShapes, HaveTheSameOcclusionForPartsAndAnyNumberOfThreads)
+{
+  for (const int count : { 3000, 60000 })
+  {
+    RoundScene scene(MakeCells(MakeRandomCenters(count, 5.0), {}), true);
+    scene.Caster->SetResolution(64, 64);
+    scene.Caster->SetPointRadius(0.03);
+    scene.Caster->AmbientOcclusionOn();
+    scene.Caster->SetTolerance(0.05);
+    scene.Caster->SetNumberOfThreads(1);
+    const std::vector<double> whole = scene.RenderRed();
+    scene.Caster->SetNumberOfThreads(3);
+    EXPECT_EQ(scene.RenderRed(), whole) << count;
+    ExpectSameBitsInPart(scene, whole, 64, { 11, 37, 20, 44, 0, 0 });
+  }
+}
+
 TEST(RoundShapes, TakeNoSamplesIfManyAreHidden)
 {
   RoundScene scene(MakeCells(FiveCenters, {}), true);
