@@ -6,6 +6,7 @@
 #include "Scene.h"
 #include "Shading/OwenSobolSequence.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace penumbra
@@ -14,8 +15,9 @@ namespace
 {
 
 constexpr int PacketSize = CameraRayTracer::PacketSize;
-/// Offset of the seeds of directions from those of points.
+/// Offsets of the seeds of directions, and of points of lights, from those of points in pixels.
 constexpr std::uint32_t DirectionSeed = 0x68bc21ebu;
+constexpr std::uint32_t LightSeed = 0x02e5be93u;
 
 /// Returns true if the hits of two camera rays belong to one site, or show the background.
 bool ShowOneSite(
@@ -111,40 +113,42 @@ template <int N>
 void LitSamples<N>::AddRays(std::uint32_t seed, std::uint32_t first,
   const SampleLight::Packet& packet, Value* sums, RayCounts& counts) const
 {
-  const OwenSobolSequence sequence(MixBits(seed + DirectionSeed));
+  const OwenSobolSequence directions(MixBits(seed + DirectionSeed));
+  const OwenSobolSequence lights(MixBits(seed + LightSeed));
   Ray rays[PacketSize];
-  typename LightRays<N>::Start starts[PacketSize];
+  LightReceiver starts[PacketSize];
   Value values[PacketSize];
-  long long& traced = LightTerms<N>::HasRadiance ? counts.Indirect : counts.Occlusion;
-  for (std::uint32_t i = 0; i < PacketSize; ++i)
+  int owners[PacketSize];
+  int count = 0;
+  for (int i = 0; i < PacketSize; ++i)
   {
     if (packet.Layers[i].empty())
     {
-      rays[i].Near = 1.f;
-      rays[i].Far = 0.f;
       continue;
     }
     const LitLayer& layer = packet.Layers[i].front();
     const SurfaceNormals normals(layer.Normal, layer.Geometric);
-    const glm::vec2 at =
-      sequence.At(OwenSobolSequence::ShuffleIndex(first + RaysOfLitSample * i, seed));
-    rays[i].Origin = layer.Position + RayOriginOffset(layer.Position) * layer.Geometric;
-    rays[i].Direction = normals.ReflectAbove(
+    const std::uint32_t sample = first + RaysOfLitSample * static_cast<std::uint32_t>(i);
+    const glm::vec2 at = directions.At(OwenSobolSequence::ShuffleIndex(sample, seed));
+    Ray& ray = rays[count];
+    ray.Origin = layer.Position + RayOriginOffset(layer.Position) * layer.Geometric;
+    ray.Direction = normals.ReflectAbove(
       FrameFromNormal(layer.Normal) * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
-    rays[i].Far = this->Source.GetRadius();
+    ray.Far = this->Source.GetRadius();
     if constexpr (LightTerms<N>::HasRadiance)
     {
-      starts[i] = { layer.Position, normals };
+      starts[count] = { layer.Position, normals,
+        lights.At(OwenSobolSequence::ShuffleIndex(sample, seed + LightSeed)) };
     }
-    ++traced;
+    owners[count++] = i;
   }
-  this->Source.Trace(rays, starts, values, traced);
-  for (int i = 0; i < PacketSize; ++i)
+  std::for_each(rays + count, rays + PacketSize, [](Ray& ray) { ray.Far = -1.f; });
+  long long& traced = LightTerms<N>::HasRadiance ? counts.Indirect : counts.Occlusion;
+  traced += count;
+  this->Source.Trace(rays, starts, count, values, traced);
+  for (int i = 0; i < count; ++i)
   {
-    if (!packet.Layers[i].empty())
-    {
-      sums[i] += values[i];
-    }
+    sums[owners[i]] += values[i];
   }
 }
 
