@@ -93,6 +93,22 @@ TEST(Sources, AreNotLongerThanTheStylePageAsksFor)
   }
 }
 
+TEST(Sources, HaveLinesOfAtMost120Columns)
+{
+  for (const char* top : { "Filters", "Rendering", "Testing", "Command", "Examples", "Benchmarks" })
+  {
+    for (const fs::path& source : Sources(Root / top, true))
+    {
+      std::stringstream text(Text(source));
+      int number = 1;
+      for (std::string line; std::getline(text, line); ++number)
+      {
+        EXPECT_LE(line.size(), 120u) << source << ":" << number;
+      }
+    }
+  }
+}
+
 TEST(Plugin, HoldsNoSourcesOfItsOwn)
 {
   EXPECT_TRUE(fs::exists(Root / "Plugin"));
@@ -109,6 +125,26 @@ TEST(Sources, StateTheirLicense)
         << source;
     }
   }
+}
+
+TEST(Headers, HaveAGuardOfTheirOwn)
+{
+  static const std::regex guard(R"(#ifndef (\w+_h)\n)");
+  std::map<std::string, fs::path> owners;
+  for (const char* top : { "Filters", "Rendering", "Testing", "Command", "Examples", "Benchmarks" })
+  {
+    for (const fs::path& header : Sources(Root / top, true))
+    {
+      const std::string text = Text(header);
+      std::smatch found;
+      if (header.extension() == ".h" && std::regex_search(text, found, guard))
+      {
+        const auto [owner, isNew] = owners.emplace(found[1], header);
+        EXPECT_TRUE(isNew) << header << " has the guard of " << owner->second;
+      }
+    }
+  }
+  EXPECT_GT(owners.size(), 200u);
 }
 
 /// The types that a source defines in namespace penumbra itself; in unnamed namespaces names may repeat.

@@ -3,8 +3,8 @@
 //
 // Command line of a benchmark program: parses the options, runs the requested parts, and writes the
 // table.
-#ifndef penumbra_Program_h
-#define penumbra_Program_h
+#ifndef penumbra_Harness_Program_h
+#define penumbra_Harness_Program_h
 
 #include "ResultTable.h"
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Reference images of ambient occlusion on white unlit surfaces before a black background, and of white
-// surfaces under a sun and a white sky: jittered camera rays, each with a few random rays over the hemisphere. They share intersection and normals
+// surfaces under a sun and a white sky: jittered camera rays, each with a few random rays over the
+// hemisphere. They share intersection and normals
 // with the ray caster, but neither edges, sequences, records nor error estimates.
 #ifndef penumbra_light_OcclusionTruth_h
 #define penumbra_light_OcclusionTruth_h

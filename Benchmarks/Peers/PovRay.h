@@ -39,8 +39,8 @@ struct PovRayAnswer
 void WritePovRayScene(const std::string& path, vtkRenderer* renderer, const BruteForceScene& scene,
   int width, int height);
 
-/// Renders on one thread with adaptive antialiasing (+AM2), without jitter of the rays. Throws std::runtime_error if the
-/// program fails.
+/// Renders on one thread with adaptive antialiasing (+AM2), without jitter of the rays. Throws
+/// std::runtime_error if the program fails.
 PovRayAnswer RunPovRay(const std::string& program, const std::string& scene, int width, int height,
   const PovRayStep& step);
 

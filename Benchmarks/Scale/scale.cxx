@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Measures the ray caster on large and moving scenes: the time of extraction and of the BVH while
-// the camera orbits, after one of many actors has changed, a million spheres, and ten million triangles. Run it with `./penumbra benchmark scale`, which also fetches the mesh.
+// the camera orbits, after one of many actors has changed, a million spheres, and ten million
+// triangles. Run it with `./penumbra benchmark scale`, which also fetches the mesh.
 #include "Benchmark.h"
 #include "Meshes.h"
 #include "Program.h"

@@ -17,7 +17,8 @@
  * the first one.
  *
  * Every rank must execute the filter, with the same settings, including ranks without data. If they differ, or if
- * one rank fails or is aborted, all ranks end with its message. On a single rank, the filter is equivalent to its superclass.
+ * one rank fails or is aborted, all ranks end with its message. On a single rank, the filter is
+ * equivalent to its superclass.
  */
 #ifndef vtkPenumbraDistributedIrradianceFilter_h
 #define vtkPenumbraDistributedIrradianceFilter_h

@@ -70,8 +70,8 @@ public:
    * Maximum number of paths for surfaces. They are the ray-cast image instead if they need more, if
    * their colors would differ from the image by an RMSE of more than the tolerance of a tile of the
    * ray caster, see vtkPenumbraRayCaster::GetEstimatedError() (shadows, textures, large triangles),
-   * if triangles overlap in a cycle, and in scenes with spheres, tubes, translucent surfaces, light shafts, or renderers in other layers. 0: always the
-   * image. Range: [0, 1000000]. Default: 50000.
+   * if triangles overlap in a cycle, and in scenes with spheres, tubes, translucent surfaces,
+   * light shafts, or renderers in other layers. 0: always the image. Range: [0, 1000000]. Default: 50000.
    */
   vtkSetClampMacro(MaximumPaths, int, 0, 1000000);
   vtkGetMacro(MaximumPaths, int);

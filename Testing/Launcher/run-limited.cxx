@@ -4,7 +4,8 @@
 // run-limited --limit SECONDS PROGRAM [ARGUMENT...]
 //
 // Runs a program so that nothing remains of it:
-// - after SECONDS, or $PENUMBRA_TEST_SECONDS if set, prints the stacks of its processes and ends them (exit status 124);
+// - after SECONDS, or $PENUMBRA_TEST_SECONDS if set, prints the stacks of its processes and ends
+//   them (exit status 124);
 // - a process that the program leaves behind is named and ended (exit status 125);
 // - if run-limited is interrupted or its own caller ends, the program and its processes end, too.
 // Otherwise the exit status, or the signal, is that of the program.

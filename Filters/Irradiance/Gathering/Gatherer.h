@@ -82,12 +82,13 @@ public:
   }
 
   /// Samples `directions` (unit vectors, scene coordinates) from `point` on a surface. Directions
-  /// below the surface are reflected. Fills `samples` with one sample per direction and returns the number of rays traced.
-  /// Thread-safe; the result depends only on the arguments.
+  /// below the surface are reflected. Fills `samples` with one sample per direction and returns
+  /// the number of rays traced. Thread-safe; the result depends only on the arguments.
   virtual long long Gather(glm::vec3 point, const SurfaceNormals& normals,
     const std::vector<glm::vec3>& directions, std::vector<HemisphereSample>& samples) const = 0;
 
-  /// Samples the cells of `grid`, oriented by `frame`. Fills `directions` (local coordinates) and `samples`, one per cell. The
+  /// Samples the cells of `grid`, oriented by `frame`. Fills `directions` (local coordinates) and
+  /// `samples`, one per cell. The
   /// default implementation calls Gather() with one direction per cell, jittered by `seed`.
   virtual long long SampleHemisphere(glm::vec3 point, const TangentFrame& frame,
     const HemisphereGrid& grid, std::uint32_t seed, std::vector<glm::vec3>& directions,

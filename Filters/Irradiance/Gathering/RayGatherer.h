@@ -72,8 +72,8 @@ private:
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT LightGatherer : public RayGatherer
 {
 public:
-  /// Looks up the mean radiance over the hemisphere at a point, without suns and sampled emitters. Returns nothing if no
-  /// value is cached for the point.
+  /// Looks up the mean radiance over the hemisphere at a point, without suns and sampled emitters.
+  /// Returns nothing if no value is cached for the point.
   using LightLookup =
     std::function<std::optional<glm::vec3>(glm::vec3 point, const SurfaceNormals& normals)>;
 

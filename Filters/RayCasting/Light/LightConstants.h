@@ -47,8 +47,8 @@ constexpr float PartRidge = 0.01f;
 /// rays of a pair.
 constexpr int ProbedPixelStep = 4;
 constexpr double ProbeDistance = 2.0;
-/// A tile is scattered if more than this fraction of the pairs with a surface hit different sites. Measured: 0.84 for spheres
-/// with a diameter of 3 pixels, 0.48 for 6 pixels, 0.09 to 0.16 for the meshes at 1000x600.
+/// A tile is scattered if more than this fraction of the pairs with a surface hit different sites. Measured:
+/// 0.84 for spheres with a diameter of 3 pixels, 0.48 for 6 pixels, 0.09 to 0.16 for the meshes at 1000x600.
 constexpr float ScatteredFraction = 0.6f;
 /// Number of rays from each hit of a camera ray.
 constexpr std::uint32_t RaysOfLitSample = 2;

@@ -279,8 +279,8 @@ TEST_F(VectorFaces, CutTheWidthOfLines)
   EXPECT_GT(this->GetStatistic("Vector/Lines"), 0.0);
 }
 
-// A line of 6 pixels, translucent or with colors of points, first behind a sphere obliquely to its outline. Where it was
-// cut in halves and pieces, seams showed the background.
+// A line of 6 pixels, translucent or with colors of points, first behind a sphere obliquely to its
+// outline. Where it was cut in halves and pieces, seams showed the background.
 TEST_F(VectorFaces, HaveNoSeamsInLines)
 {
   this->Caster->BackgroundOff();

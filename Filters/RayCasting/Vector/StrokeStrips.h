@@ -19,8 +19,8 @@ namespace penumbra
 
 /// Length in pixels of the pieces of a line, for each of which its color is sampled.
 constexpr double StrokePieceLength = 16.0;
-/// Length in pixels by which opaque pieces go on below the next one: more than the diagonal of a pixel, so that none shows
-/// the background at their border.
+/// Length in pixels by which opaque pieces go on below the next one: more than the diagonal of a
+/// pixel, so that none shows the background at their border.
 constexpr double StrokePieceOverlap = 1.5;
 
 /// The visible parts of the width at a point of the axis of a stroke.

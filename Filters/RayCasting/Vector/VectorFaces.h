@@ -19,8 +19,8 @@ namespace penumbra
 /**
  * Adds the background and the visible triangles to `paths`. Returns an empty string, or the reason
  * why paths cannot show the scene, in which case `paths` is left as it was: spheres, tubes,
- * splats, translucent surfaces, light shafts, an image as background, pixels of 2-D actors, more than `maximum` paths, triangles
- * without an order, or colors whose RMSE would exceed `tolerance`.
+ * splats, translucent surfaces, light shafts, an image as background, pixels of 2-D actors, more
+ * than `maximum` paths, triangles without an order, or colors whose RMSE would exceed `tolerance`.
  */
 std::string AddVisibleFaces(const CameraRayTracer& tracer, std::size_t maximum, double tolerance,
   std::vector<FigurePath>& paths);

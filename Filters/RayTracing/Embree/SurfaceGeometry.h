@@ -4,8 +4,8 @@
 // Triangles, spheres and tubes as primitives of Embree's BVH, with the filters of their hits. A surface
 // of slivers is one primitive, traced with a tree of oriented boxes; a surface with PlanarCells has one
 // primitive per cell. Spheres and tubes are intersected in double precision.
-#ifndef penumbra_SurfaceGeometry_h
-#define penumbra_SurfaceGeometry_h
+#ifndef penumbra_Embree_SurfaceGeometry_h
+#define penumbra_Embree_SurfaceGeometry_h
 
 #include "EmbreeQuery.h"
 #include "TracedSurface.h"

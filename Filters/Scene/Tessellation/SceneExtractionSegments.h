@@ -31,8 +31,8 @@ std::vector<LineSegment> CollectPoints(const DrawItem& item, bool all);
 std::vector<LineSegment> CollectLines(vtkPolyData* data);
 
 /// Returns the edges of polygons and strips, without duplicates: of several cells, the edge of that
-/// one is kept which VTK shows, the last one. Edges hidden by edge flags are skipped, and edges of polygons for which `isCulled` returns true, which
-/// takes the ids of their points and the number of ids.
+/// one is kept which VTK shows, the last one. Edges hidden by edge flags are skipped, and edges of
+/// polygons for which `isCulled` returns true, which takes the ids of their points and the number of ids.
 using PolygonTest = std::function<bool(const vtkIdType*, vtkIdType)>;
 VTKPENUMBRAFILTERSSCENE_EXPORT std::vector<LineSegment> CollectEdges(
   const DrawItem& item, const PolygonTest& isCulled = {});

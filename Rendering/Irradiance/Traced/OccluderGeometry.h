@@ -3,8 +3,8 @@
 //
 // BVH over the opaque meshes of a renderer. It is rebuilt when the meshes change; camera motion
 // reuses it.
-#ifndef penumbra_OccluderGeometry_h
-#define penumbra_OccluderGeometry_h
+#ifndef penumbra_Traced_OccluderGeometry_h
+#define penumbra_Traced_OccluderGeometry_h
 
 #include "Camera.h"
 #include "Embree/RayScene.h"

@@ -26,7 +26,8 @@ public:
   };
 
   /// Renders the delegate into the target of `state` and multiplies pixels that show a surface by
-  /// 1 - strength * occlusion. `image`: set up for the target. The first call after Invalidate() stores the frame. Returns false if the depth of any
+  /// 1 - strength * occlusion. `image`: set up for the target. The first call after Invalidate()
+  /// stores the frame. Returns false if the depth of any
   /// pixel differs from the stored one, or if the depth of the target cannot be read; the caller
   /// must then render the target again.
   bool Draw(const vtkRenderState* state, vtkRenderPass* delegate, const DelegateImage& image,
