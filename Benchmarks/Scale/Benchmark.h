@@ -27,4 +27,7 @@ void MeasureTriangles(Options& options);
 /// threads.
 void MeasureRanks(Options& options);
 
+/// The same for baking, with blocks of 1 % of the triangles.
+void MeasureBakingOnRanks(Options& options);
+
 #endif

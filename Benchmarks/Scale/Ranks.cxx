@@ -10,12 +10,14 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
+#include "vtkPenumbraDistributedIrradianceFilter.h"
 #include "vtkPenumbraDistributedRayCaster.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -41,6 +43,7 @@ using namespace penumbra;
 constexpr int Blocks = 8;
 constexpr int CellsPerBlock = 256; ///< along each side: about a million triangles
 constexpr int CellsOfEffects = 56; ///< about 5 % of them
+constexpr int CellsOfBaking = 28;  ///< about 1 % of them
 
 /// Returns a block of 2 x 2 x 2, an isosurface of a function with two periods in each. The positions of
 /// samples are exact, so that the points of neighboring blocks coincide.
@@ -294,6 +297,77 @@ void MeasurePlain(const View& view, Options& options)
   }
 }
 
+/// Bakes the blocks of a rank together with the other ranks. Returns the report and the values.
+std::string Bake(const std::function<void(vtkPenumbraIrradianceFilter*)>& set, int rank, int ranks)
+{
+  vtkNew<vtkPenumbraDistributedIrradianceFilter> filter;
+  filter->SetInputData(0, MakePiece(rank, ranks, CellsOfBaking));
+  filter->SetMethodToBruteForce();
+  filter->SetTolerance(0.1);
+  filter->SetNumberOfThreads(1);
+  set(filter);
+  filter->Update();
+  const auto get = [&](const char* name) {
+    vtkDataArray* array = filter->GetStatistics()->GetArray(name);
+    return array ? array->GetComponent(0, 0) : 0.0;
+  };
+  Report report{};
+  report.SceneBytes = get("Exchange/SceneBytes");
+  report.WholeBytes = get("Exchange/WholeBytes");
+  report.Primitives = get("Exchange/Primitives");
+  report.WholePrimitives = get("Exchange/WholePrimitives");
+  std::string bytes(reinterpret_cast<const char*>(&report), sizeof report);
+  vtkDataArray* values = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))
+                           ->GetPointData()
+                           ->GetArray(filter->GetQuantityAsString());
+  return values ? bytes.append(static_cast<const char*>(values->GetVoidPointer(0)),
+                    static_cast<std::size_t>(values->GetNumberOfValues()) * sizeof(float))
+                : bytes;
+}
+
+void MeasureBaking(
+  const char* name, const std::function<void(vtkPenumbraIrradianceFilter*)>& set, Options& options)
+{
+  std::string expected;
+  for (const int ranks : { 1, 2, 4, 8 })
+  {
+    std::string values;
+    double most = 0.0;
+    double triangles = 0.0;
+    double whole = 0.0;
+    Report report{};
+    for (const RankResult& result : RunRanks(
+           ranks, [&](int rank) { return Bake(set, rank, ranks); }, 1200))
+    {
+      std::memcpy(&report, result.Value.data(), std::min(sizeof report, result.Value.size()));
+      values += result.Value.substr(std::min(sizeof report, result.Value.size()));
+      most = std::max(most, report.SceneBytes / report.WholeBytes);
+      triangles = std::max(triangles, report.Primitives);
+      whole = report.WholePrimitives;
+    }
+    if (ranks == 1)
+    {
+      expected = values;
+      continue;
+    }
+    std::size_t differ = values.size() == expected.size() ? 0 : expected.size();
+    for (std::size_t i = 0; i < std::min(values.size(), expected.size()); i += sizeof(float))
+    {
+      differ += values.compare(i, sizeof(float), expected, i, sizeof(float)) != 0;
+    }
+    const std::string scene = std::string(name) + ", " + std::to_string(ranks) + " ranks";
+    char remark[200];
+    std::snprintf(remark, sizeof remark, "of %zu values", expected.size() / sizeof(float));
+    options.Results.Add(scene, "share of values with other bits than on one rank",
+      static_cast<double>(differ * sizeof(float)) / static_cast<double>(expected.size()),
+      TargetKind::AtMost, 0.0, remark);
+    std::snprintf(
+      remark, sizeof remark, "the rank then has %.0f of %.0f triangles", triangles, whole);
+    options.Results.Add(scene, "bytes received by the rank that receives most / of the whole scene",
+      most, TargetKind::None, 0.0, remark);
+  }
+}
+
 void MeasureEffect(const View& view, Options& options)
 {
   const Run one = RenderOn(1, view, options.Output);
@@ -323,10 +397,41 @@ void MeasureRanks(Options& options)
   MeasureEffect({ "shadows", { 320, 192 }, CellsOfEffects, 1.0,
                   [](vtkPenumbraRayCaster* caster) { caster->ShadowsOn(); } },
     options);
+  MeasureEffect({ "soft-shadows", { 320, 192 }, CellsOfEffects, 1.0,
+                  [](vtkPenumbraRayCaster* caster) {
+                    caster->ShadowsOn();
+                    caster->SetLightAngle(2.0);
+                  } },
+    options);
   MeasureEffect({ "occlusion", { 320, 192 }, CellsOfEffects, 1.0,
                   [](vtkPenumbraRayCaster* caster) {
                     caster->AmbientOcclusionOn();
                     caster->SetAmbientOcclusionRadius(0.1);
                   } },
+    options);
+}
+
+void MeasureBakingOnRanks(Options& options)
+{
+  MeasureBaking(
+    "baked occlusion", [](vtkPenumbraIrradianceFilter* filter) { filter->SetRadius(0.1); },
+    options);
+  for (const double angle : { 0.0, 0.53 })
+  {
+    MeasureBaking(
+      angle > 0.0 ? "baked light of the sun" : "baked light of a direction",
+      [=](vtkPenumbraIrradianceFilter* filter) {
+        filter->SetQuantityToDirectLight();
+        filter->AddLight(3.0, 6.0, 4.0, 0.0);
+        filter->SetLightAngle(angle);
+      },
+      options);
+  }
+  MeasureBaking(
+    "baked irradiance",
+    [](vtkPenumbraIrradianceFilter* filter) {
+      filter->SetQuantityToIrradiance();
+      filter->SetBounces(2);
+    },
     options);
 }

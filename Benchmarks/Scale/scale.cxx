@@ -180,10 +180,11 @@ int main(int argc, char** argv)
   program.Name = "scale";
   program.Title = "Large and moving scenes: measurements and targets";
   program.Usage = "--meshes FOLDER --output FOLDER [--python PROGRAM] [--only "
-                  "ranks|orbit|changes|spheres|triangles]";
+                  "ranks|ranks-baking|orbit|changes|spheres|triangles]";
   program.Values = { { "--meshes", &options.Meshes, true }, { "--output", &options.Output, true },
     { "--python", &options.Python, false } };
   program.Parts = { { "ranks", [&] { MeasureRanks(options); } },
+    { "ranks-baking", [&] { MeasureBakingOnRanks(options); } },
     { "orbit", [&] { MeasureOrbits(options); } }, { "changes", [&] { MeasureChanges(options); } },
     { "spheres", [&] { MeasureSpheres(options); } },
     { "triangles", [&] { MeasureTriangles(options); } } };
@@ -196,7 +197,8 @@ int main(int argc, char** argv)
       "of radius "
       "3, tolerance 0.05; PyVista: points of 3 pixels as spheres, no antialiasing, SSAO",
       "ranks: 8 blocks of an isosurface on 1 to 8 processes with one thread each, which sockets "
-      "connect; 1000 x 600 pixels; effects: blocks of 5 % of the triangles, 320 x 192 pixels",
+      "connect; 1000 x 600 pixels; effects: blocks of 5 % of the triangles, 320 x 192 pixels; "
+      "baking: 1 %",
       "ten million triangles: 1000 x 600 pixels, normals and scalars per point, no effects" };
   });
 }

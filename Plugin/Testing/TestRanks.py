@@ -219,14 +219,14 @@ class Ranks(unittest.TestCase):
         self.assertGreater(one["occlusion"]["values"][on_floor].max(), 0.2)
         for ranks in (2, 4):
             many = results(ranks, "compute", computed)
-            # Bounds: combined error of two results, each within its tolerance.
-            for name, bound in (("occlusion", 0.028), ("blocks", 0.028), ("irradiance", 0.07), ("sunlight", 0.028)):
+            # The same rays, except at points where the pieces of ParaView have other neighbors.
+            for name in ("occlusion", "blocks", "irradiance", "sunlight"):
                 reference, values = by_point(one[name]), by_point(many[name])
                 points = reference.keys() & values.keys()
                 self.assertGreater(len(points), 0.8 * max(len(reference), len(values)))
                 error = rmse([reference[point] for point in points], [values[point] for point in points])
                 print(f"{name}: {error:.4f} from one rank's", flush=True)
-                self.assertLess(error, bound)
+                self.assertLess(error, 0.003)
             self.assertEqual(numpy.ptp(many["alone"]["values"]), 0)
             numpy.testing.assert_array_equal(many["file"], one["file"])
             difference = numpy.abs(many["pieces"] - one["pieces"]).max(axis=1)
