@@ -432,6 +432,7 @@ void MeasureBakingOnRanks(Options& options)
     [](vtkPenumbraIrradianceFilter* filter) {
       filter->SetQuantityToIrradiance();
       filter->SetBounces(2);
+      filter->SetTolerance(0.5);
     },
     options);
 }
