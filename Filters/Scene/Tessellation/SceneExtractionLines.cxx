@@ -24,6 +24,10 @@ namespace penumbra
 namespace
 {
 
+/// Shift of an edge toward the camera in front of its polygons, as a multiple of its width and of
+/// their slope: half of the width, and a margin for perspective.
+constexpr double EdgeShift = 0.55;
+
 /// Frees ids that are 0, 1, 2, ..., see Surface::CellIds.
 void DropIdentity(std::vector<std::uint32_t>& ids)
 {
@@ -61,11 +65,16 @@ public:
   }
 
   /// Gives all that follows the color of edges, see ReplaceColors().
-  void SetEdgeMaterial(const Material& material) { ReplaceColors(material, this->Attributes); }
+  void SetEdgeMaterial(const Material& material)
+  {
+    ReplaceColors(material, this->Attributes);
+    // EdgeBlending, for translucent surfaces, assumes small shifts.
+    this->MaximumSlope = this->Attributes.IsTranslucent() ? 0.0 : MaximumPolygonSlope;
+  }
 
-  /// Returns true if VTK draws nothing of a polygon: it has no area, or the side that faces the
-  /// camera is culled.
-  bool IsCulled(const vtkIdType* ids, vtkIdType size) const
+  /// Returns the depth that a polygon traverses per pixel, in pixels; negative if VTK draws nothing
+  /// of it: it has no area, or the side that faces the camera is culled.
+  double FindSlope(const vtkIdType* ids, vtkIdType size) const
   {
     constexpr double Flat = 1e-6; // relative area, or sine of the angle between ray and polygon
     glm::dvec3 normal(0.0);       // Newell's
@@ -76,7 +85,7 @@ public:
       const auto to = static_cast<std::uint32_t>(ids[(i + 1) % size]);
       if (!this->IsUsable(from) || !this->IsUsable(to))
       {
-        return false;
+        return 0.0;
       }
       const glm::dvec3 first = this->Points[static_cast<std::uint32_t>(ids[0])];
       const glm::dvec3 side = glm::dvec3(this->Points[to]) - first;
@@ -85,17 +94,14 @@ public:
     }
     const bool front = this->Item.Property->GetFrontfaceCulling();
     const bool back = this->Item.Property->GetBackfaceCulling();
-    if (!front && !back)
-    {
-      return glm::length(normal) < Flat * square;
-    }
     const Camera& camera = this->Target.ViewCamera;
-    const glm::dvec3 view = camera.Parallel
-      ? camera.Forward
-      : glm::dvec3(this->Points[static_cast<std::uint32_t>(ids[0])]) - camera.Position;
+    const glm::dvec3 at = this->Points[static_cast<std::uint32_t>(ids[0])];
+    const glm::dvec3 view = camera.Parallel ? camera.Forward : at - camera.Position;
     const double facing = glm::dot(normal, view);
     const double edgeOn = Flat * square * glm::length(view);
-    return (facing < edgeOn && front) || (facing > -edgeOn && back);
+    const bool isCulled = front || back ? (facing < edgeOn && front) || (facing > -edgeOn && back)
+                                        : glm::length(normal) < Flat * square;
+    return isCulled ? -1.0 : ComputeSlopeOfPlane(camera, at, normal);
   }
 
   /// Appearance of segments. If Single is set, it replaces the material and the colors of the item.
@@ -106,7 +112,7 @@ public:
     const Material* Single = nullptr;
     bool IsRound = false;      ///< spheres and tubes instead of squares and strips
     double Radius = 0.0;       ///< of spheres and tubes, in world units; 0: half of Width
-    double MinimumShift = 0.0; ///< of squares toward the camera; else Width
+    double MinimumShift = 0.0; ///< of squares toward the camera; 0: Width
     DepthOffset Offset{};      ///< of squares and strips, see DrawItem
     bool AreEdges = false;     ///< of the polygons of the item
   };
@@ -305,8 +311,10 @@ private:
     b = a + end * direction;
     a = a + start * direction;
     const Camera& camera = this->Target.ViewCamera;
-    QuadShift shift{ std::max(style.Width, style.MinimumShift) * this->PixelsPerPoint, style.Offset,
-      0.0 };
+    const double slope = std::min<double>(segment.Slope, this->MaximumSlope);
+    const double base = style.MinimumShift > 0.0 ? style.MinimumShift : style.Width;
+    const double pixels = std::max(style.Width, std::max(1.0, EdgeShift * slope) * base);
+    QuadShift shift{ pixels * this->PixelsPerPoint, style.Offset, 0.0 };
     if (this->Item.Slopes && style.Offset.Factor != 0.0)
     {
       shift.Slope = std::max(this->Item.Slopes->Find(a), this->Item.Slopes->Find(b));
@@ -415,6 +423,7 @@ private:
   Surface Attributes; ///< material and colors of the item, per point and per cell
   Surface Result;
   std::uint32_t LastEnd = None; ///< point at the last position of Result; None if it is none
+  double MaximumSlope = 0.0;    ///< of polygons that their edges are in front of
   std::size_t InvalidRadii = 0;
 };
 
@@ -443,6 +452,7 @@ void AddLinesAndPoints(const DrawItem& item, double pixelsPerPoint, Scene& scene
   const bool tubes = item.LineRadius > 0.0 || property->GetRenderLinesAsTubes();
   const bool roundEdges = property->GetRenderLinesAsTubes();
   const bool roundVertices = property->GetRenderPointsAsSpheres();
+  const PolygonSlope findSlope = [&](auto... polygon) { return expander.FindSlope(polygon...); };
   expander.Add(CollectPoints(item, representation == VTK_POINTS),
     { pointSize, smooth, nullptr, spheres, item.PointRadius, 0.0, item.PointOffset });
   if (representation != VTK_POINTS)
@@ -464,10 +474,7 @@ void AddLinesAndPoints(const DrawItem& item, double pixelsPerPoint, Scene& scene
     style.Width = FindEdgeWidth(property);
     style.IsRound = roundEdges;
     style.AreEdges = true;
-    expander.Add(
-      CollectEdges(
-        item, [&](const vtkIdType* ids, vtkIdType size) { return expander.IsCulled(ids, size); }),
-      style);
+    expander.Add(CollectEdges(item, findSlope), style);
   }
   if (vertices)
   {
@@ -477,7 +484,7 @@ void AddLinesAndPoints(const DrawItem& item, double pixelsPerPoint, Scene& scene
     Material material = MakeUnlitMaterial(property->GetVertexColor(), property->GetOpacity());
     material.PhysicallyBased = property->GetInterpolation() == VTK_PBR;
     const Material round = MakeRoundMaterial(property, material);
-    expander.Add(CollectPoints(item, true),
+    expander.Add(CollectPoints(item, true, edges ? findSlope : PolygonSlope()),
       { pointSize, false, roundVertices ? &round : &material, roundVertices, 0.0,
         edges || representation == VTK_WIREFRAME ? VertexOffset * edgeWidth : 0.0 });
   }

@@ -33,10 +33,12 @@ void ForEachCell(vtkCellArray* cells, vtkIdType first, Function&& callback)
   }
 }
 
-void Append(std::vector<LineSegment>& segments, vtkIdType from, vtkIdType to, std::uint32_t cell)
+void Append(std::vector<LineSegment>& segments, vtkIdType from, vtkIdType to, std::uint32_t cell,
+  double slope = 0.0)
 {
   // Out-of-range ids wrap to invalid point indices, which LineExpander skips.
-  segments.push_back({ static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to), cell });
+  segments.push_back({ static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to), cell,
+    static_cast<float>(slope) });
 }
 
 /// Returns true if a line between two points has no length: VTK draws nothing, also as a tube.
@@ -66,6 +68,13 @@ void RemoveDuplicates(std::vector<LineSegment>& segments)
   const auto same = [](const LineSegment& a, const LineSegment& b) {
     return std::minmax(a.From, a.To) == std::minmax(b.From, b.To);
   };
+  for (std::size_t i = segments.size(); i-- > 1;)
+  {
+    if (same(segments[i - 1], segments[i]))
+    {
+      segments[i - 1].Slope = std::max(segments[i - 1].Slope, segments[i].Slope);
+    }
+  }
   segments.erase(std::unique(segments.begin(), segments.end(), same), segments.end());
 }
 
@@ -101,6 +110,11 @@ void KeepVisibleDuplicates(const DrawItem& item, std::vector<LineSegment>& segme
   for (std::size_t i = 0; i + 1 < order.size(); ++i)
   {
     isHidden[order[i]] = ends(order[i]) == ends(order[i + 1]);
+    if (isHidden[order[i]])
+    {
+      float& slope = segments[order[i + 1]].Slope;
+      slope = std::max(slope, segments[order[i]].Slope);
+    }
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < segments.size(); ++i)
@@ -113,7 +127,7 @@ void KeepVisibleDuplicates(const DrawItem& item, std::vector<LineSegment>& segme
   segments.resize(kept);
 }
 
-/// Keeps one of the segments between the same two points.
+/// Keeps one of the segments between the same two points, with the largest of their slopes.
 void ResolveDuplicates(const DrawItem& item, std::vector<LineSegment>& segments)
 {
   AreCellsDistinct(item) ? KeepVisibleDuplicates(item, segments) : RemoveDuplicates(segments);
@@ -160,7 +174,8 @@ void RemoveInnerEdges(vtkDataArray* faces, std::vector<LineSegment>& segments)
 
 }
 
-std::vector<LineSegment> CollectPoints(const DrawItem& item, bool all)
+std::vector<LineSegment> CollectPoints(
+  const DrawItem& item, bool all, const PolygonSlope& findSlope)
 {
   std::vector<LineSegment> segments;
   vtkPolyData* data = item.Data;
@@ -174,9 +189,16 @@ std::vector<LineSegment> CollectPoints(const DrawItem& item, bool all)
   for (vtkCellArray* cells : arrays)
   {
     ForEachCell(cells, first, [&](const vtkIdType* ids, vtkIdType size, std::uint32_t cell) {
+      const bool isStrip = findSlope && cells == data->GetStrips();
+      const double ofPolygon = findSlope && cells == data->GetPolys() ? findSlope(ids, size) : 0.0;
       for (vtkIdType i = 0; i < size; ++i)
       {
-        Append(segments, ids[i], ids[i], cell);
+        double slope = std::max(ofPolygon, 0.0);
+        for (vtkIdType k = std::max<vtkIdType>(i - 2, 0); isStrip && k <= i && k + 2 < size; ++k)
+        {
+          slope = std::max(slope, findSlope(ids + k, 3));
+        }
+        Append(segments, ids[i], ids[i], cell, slope);
       }
     });
     first += cells->GetNumberOfCells();
@@ -208,7 +230,7 @@ std::vector<LineSegment> CollectLines(vtkPolyData* data)
   return segments;
 }
 
-std::vector<LineSegment> CollectEdges(const DrawItem& item, const PolygonTest& isCulled)
+std::vector<LineSegment> CollectEdges(const DrawItem& item, const PolygonSlope& findSlope)
 {
   std::vector<LineSegment> segments;
   vtkPolyData* data = item.Data;
@@ -220,12 +242,12 @@ std::vector<LineSegment> CollectEdges(const DrawItem& item, const PolygonTest& i
   vtkIdType first = data->GetVerts()->GetNumberOfCells() + data->GetLines()->GetNumberOfCells();
   ForEachCell(
     data->GetPolys(), first, [&](const vtkIdType* ids, vtkIdType size, std::uint32_t cell) {
-      const bool isDrawn = !isCulled || !isCulled(ids, size);
-      for (vtkIdType i = 0; isDrawn && i < size; ++i)
+      const double slope = findSlope ? findSlope(ids, size) : 0.0;
+      for (vtkIdType i = 0; slope >= 0.0 && i < size; ++i)
       {
         if (!isHidden(ids[i]))
         {
-          Append(segments, ids[i], ids[(i + 1) % size], cell);
+          Append(segments, ids[i], ids[(i + 1) % size], cell, slope);
         }
       }
     });
@@ -237,24 +259,24 @@ std::vector<LineSegment> CollectEdges(const DrawItem& item, const PolygonTest& i
   first += data->GetPolys()->GetNumberOfCells();
   ForEachCell(
     data->GetStrips(), first, [&](const vtkIdType* ids, vtkIdType size, std::uint32_t cell) {
-      bool isBeforeDrawn = false; // the triangle before, which has the edge from i to i + 1, too
+      double slopeBefore = -1.0; // of the triangle before, which has the edge from i to i + 1, too
       for (vtkIdType i = 0; i + 1 < size; ++i)
       {
-        bool isDrawn = i + 2 < size;
-        if (isDrawn && isCulled)
+        double slope = i + 2 < size ? 0.0 : -1.0;
+        if (slope >= 0.0 && findSlope)
         {
           const vtkIdType corners[3] = { ids[i], ids[i + 1 + i % 2], ids[i + 2 - i % 2] };
-          isDrawn = !isCulled(corners, 3);
+          slope = findSlope(corners, 3);
         }
-        if (isDrawn || isBeforeDrawn)
+        if (slope >= 0.0 || slopeBefore >= 0.0)
         {
-          Append(segments, ids[i], ids[i + 1], cell);
+          Append(segments, ids[i], ids[i + 1], cell, std::max(slope, slopeBefore));
         }
-        if (isDrawn)
+        if (slope >= 0.0)
         {
-          Append(segments, ids[i], ids[i + 2], cell);
+          Append(segments, ids[i], ids[i + 2], cell, slope);
         }
-        isBeforeDrawn = isDrawn;
+        slopeBefore = slope;
       }
     });
   segments.erase(std::remove_if(segments.begin(), segments.end(),

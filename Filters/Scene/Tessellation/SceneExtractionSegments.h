@@ -21,21 +21,25 @@ struct LineSegment
   std::uint32_t From;
   std::uint32_t To;
   std::uint32_t Cell;
+  float Slope = 0.f; ///< of the steepest polygon at an edge or point, see PolygonSlope
 };
+
+/// Returns the depth that a polygon, of which it takes the ids of the points and their number,
+/// traverses per pixel of the image, in pixels; negative if its edges are not drawn.
+using PolygonSlope = std::function<double(const vtkIdType*, vtkIdType)>;
 
 /// Returns the points of vertex cells. If `all` is true, returns the points of all cells, without
 /// duplicates: of several cells, the point of that one is kept which VTK shows, the last one.
-std::vector<LineSegment> CollectPoints(const DrawItem& item, bool all);
+std::vector<LineSegment> CollectPoints(
+  const DrawItem& item, bool all, const PolygonSlope& findSlope = {});
 
 /// Returns the segments of line cells.
 std::vector<LineSegment> CollectLines(vtkPolyData* data);
 
 /// Returns the edges of polygons and strips, without duplicates: of several cells, the edge of that
-/// one is kept which VTK shows, the last one. Edges hidden by edge flags are skipped, and edges of
-/// polygons for which `isCulled` returns true, which takes the ids of their points and the number of ids.
-using PolygonTest = std::function<bool(const vtkIdType*, vtkIdType)>;
+/// one is kept which VTK shows, the last one. Edges hidden by edge flags are skipped.
 VTKPENUMBRAFILTERSSCENE_EXPORT std::vector<LineSegment> CollectEdges(
-  const DrawItem& item, const PolygonTest& isCulled = {});
+  const DrawItem& item, const PolygonSlope& findSlope = {});
 
 /// Returns 0, 1, 2, ... for the cells of the item.
 std::vector<std::uint32_t> MakeCellIndices(const DrawItem& item);
