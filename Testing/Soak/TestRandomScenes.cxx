@@ -48,11 +48,12 @@ TEST_P(RandomScenes, AreDrawnWithinTheToleranceAndLikeVTK)
   vtkOutputWindow::SetInstance(nullptr);
 }
 
-// Seeds whose references take less than a second. VTK 9.2 draws the scene of seed 11 differently.
+// Seeds whose references take less than a second. VTK 9.2 draws the scene of seed 11 differently. In
+// 80006, a sphere emerges from a dense surface between the corners of a pixel.
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
 INSTANTIATE_TEST_SUITE_P(
   Seeds, RandomScenes, testing::Values(3, 4, 5, 6, 10, 13, 14, 15, 16, 19, 20));
 #else
 INSTANTIATE_TEST_SUITE_P(
-  Seeds, RandomScenes, testing::Values(3, 4, 5, 6, 10, 11, 13, 14, 15, 16, 19, 20));
+  Seeds, RandomScenes, testing::Values(3, 4, 5, 6, 10, 11, 13, 14, 15, 16, 19, 20, 80006));
 #endif

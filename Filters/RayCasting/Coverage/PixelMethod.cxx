@@ -114,9 +114,10 @@ PixelMethod ChooseMethod(const PixelContext& pixel, PixelEdges& edges, const Til
     (settings.Shadows && hasEdges) || pixel.IsNearShadowBoundary() || hasTexels;
   if (isUnknown || AnyCorner(pixel, [&](const Hit& hit) { return tile.IsDense(hit); }))
   {
-    return isCrowded ? ChooseSamples(pixel, tile)
-      : isUnknown    ? PixelMethod::SampledFaces
-                     : PixelMethod::Faces;
+    // Hidden spheres and tubes may emerge from a dense surface between the corners.
+    return isCrowded                       ? ChooseSamples(pixel, tile)
+      : isUnknown || edges.HasPrimitives() ? PixelMethod::SampledFaces
+                                           : PixelMethod::Faces;
   }
   if (tile.IsCrowded && isCrowded)
   {

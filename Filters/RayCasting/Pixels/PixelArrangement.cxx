@@ -15,9 +15,21 @@ namespace
 // (1e-4) and far above the rounding of coordinates in double precision.
 constexpr double Epsilon = 1e-10;
 
-// Returns the y of the segment at x.
+// Openings of a smaller height do not connect trapezoids of two slabs. A height is less precise than
+// Epsilon by the slope of its segment.
+constexpr double MinimumOpening = 1e-6;
+
+// Returns the y of the segment at x. Events are precise to Epsilon, by which the height of a steep
+// segment may change a lot, so that it would leave its own end.
 double ComputeHeight(const PixelSegment& s, double x)
 {
+  for (const glm::dvec2& end : { s.A, s.B })
+  {
+    if (std::abs(x - end.x) <= Epsilon)
+    {
+      return end.y;
+    }
+  }
   const double u = (x - s.A.x) / (s.B.x - s.A.x);
   return std::clamp(s.A.y + u * (s.B.y - s.A.y), 0.0, 1.0);
 }
@@ -238,7 +250,7 @@ void PixelArrangement::JoinSlabs(const PixelSegment* segments, int count)
         low = std::max(low, barrier.y);
       }
       opening = std::max(opening, high - low);
-      if (opening > 10.0 * Epsilon)
+      if (opening > MinimumOpening)
       {
         this->Parent[this->FindRoot(a)] = this->FindRoot(b);
       }

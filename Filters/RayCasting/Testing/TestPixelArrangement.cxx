@@ -77,6 +77,28 @@ TEST(PixelArrangement, FindsATriangleInsideThePixel)
   EXPECT_NEAR(areas[1], 1.0 - area, 1e-12);
 }
 
+// Both ends of the corner are at one point up to rounding, as those of two edges of one vertex.
+TEST(PixelArrangement, SeparatesTheSidesOfACornerWithASteepSide)
+{
+  const double x = 0.254346;
+  const double y = 0.184362;
+  for (const double slant : { 1e-9, 1e-8, 1.5e-7, 1e-5, 1e-3 })
+  {
+    for (const double rounding : { -9e-11, -1e-16, 0.0, 1e-16, 9e-11 })
+    {
+      for (const double sign : { -1.0, 1.0 })
+      {
+        const PixelArrangement arrangement =
+          Arrange({ { { x + sign * slant, 1.5 }, { x, y } }, { { 1.5, y }, { x + rounding, y } } });
+        const std::vector<double> areas = SortedAreas(arrangement);
+        ASSERT_EQ(areas.size(), 2u) << slant << " " << rounding << " " << sign;
+        EXPECT_NEAR(areas[1], (1.0 - x) * (1.0 - y), slant + 1e-9);
+        EXPECT_EQ(arrangement.GetFaces()[0].Corners ^ arrangement.GetFaces()[1].Corners, 15u);
+      }
+    }
+  }
+}
+
 TEST(PixelArrangement, KeepsOneFaceAroundOpenSegments)
 {
   EXPECT_EQ(Arrange({ { { 0.2, 0.2 }, { 0.8, 0.7 } } }).GetFaces().size(), 1u);
