@@ -61,10 +61,12 @@ protected:
     });
     const auto setInputs = [&](vtkShaderProgram* program, penumbra::Stage& stage) {
       SetView(program);
-      const float identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-      const float pixelToEye[4] = { 0.1f, 0.1f, -1.65f, -1.65f };
+      const std::array<float, 3>& scale = this->Motion;
+      const float motion[16] = { scale[0], 0, 0, 0, 0, scale[1], 0, 0, 0, 0, scale[2], 0, 0, 0, 0, 1 };
+      const float pixelToEye[4] = { this->PixelBefore, this->PixelBefore, -16.5f * this->PixelBefore,
+        -16.5f * this->PixelBefore };
       const float pixelSize[2] = { 1.f / Side, 1.f / Side };
-      program->SetUniformMatrix4x4("toPreviousEye", const_cast<float*>(identity));
+      program->SetUniformMatrix4x4("toPreviousEye", const_cast<float*>(motion));
       program->SetUniform4f("previousPixelToEye", pixelToEye);
       program->SetUniform2f("previousPixelSize", pixelSize);
       program->SetUniformf("estimate", this->Estimate);
@@ -106,6 +108,8 @@ protected:
   Values History = [](int, int) { return std::array<float, 4>{ 3.f, 6.f }; };
   Values Actors = [](int, int) { return std::array<float, 4>{}; };
   std::string MotionLib = "CameraMotion";
+  std::array<float, 3> Motion = { 1.f, 1.f, 1.f }; ///< scale of lengths from this frame to the last one
+  float PixelBefore = 0.1f;                        ///< width of a pixel of the last frame, in radii
   float Estimate = 0.25f;
   float WeightCap = 1000.f;
   float SettledWeight = 1000.f;
@@ -264,6 +268,26 @@ TEST_F(HistoryShaders, LimitTheirWeightBetweenBothBounds)
     EXPECT_LE(limit, last) << part;
     last = limit;
   }
+}
+
+TEST_F(HistoryShaders, ShareTheSamplesOfATexelByTheArea)
+{
+  // The radius was 1 / 1.5 of the present one: pixels show the same areas of the surface.
+  this->Motion = { 1.5f, 1.5f, 1.5f };
+  this->PixelBefore = 0.15f;
+  this->Before = [](int, int) { return 10.0 - 1.5 * 10.0; };
+  EXPECT_NEAR(this->Reproject()[1], 6.0 + 2.0, 1e-4);
+  // Four pixels share a texel.
+  this->PixelBefore = 0.3f;
+  EXPECT_NEAR(this->Reproject()[1], 6.0 / 4.0 + 8.0, 1e-4);
+  // The surface has been stretched to twice its length along one axis. Two pixels share a texel.
+  this->Motion = { 0.5f, 1.f, 1.f };
+  this->PixelBefore = 0.1f;
+  this->Before = Plane;
+  EXPECT_NEAR(this->Reproject()[1], 6.0 / 2.0 + 8.0, 1e-4);
+  // A mirrored surface.
+  this->Motion = { -1.f, 1.f, 1.f };
+  EXPECT_NEAR(this->Reproject()[1], 6.0 + 2.0, 1e-4);
 }
 
 TEST_F(HistoryShaders, FollowRigidActors)

@@ -92,22 +92,34 @@ vec2 sampleHistory(vec3 position, vec3 normal)
   return isInside(at, previousPixelSize) ? sum / weights : vec2(0.0);
 }
 
-// Returns the number of pixels per area of a surface, times the size of a pixel on the plane at depth
-// 1; negative if the surface faces away.
-float pixelDensity(vec3 position, vec3 normal)
+// Returns the vector to which a motion maps the area vector of a piece of surface: its direction is the
+// normal, its length the area. Motions may scale lengths, differently along each axis.
+vec3 movedArea(mat4 motion, vec3 area)
+{
+  vec3 x = motion[0].xyz;
+  vec3 y = motion[1].xyz;
+  vec3 z = motion[2].xyz;
+  vec3 acrossX = cross(y, z);
+  vec3 moved = area.x * acrossX + area.y * cross(z, x) + area.z * cross(x, y);
+  return dot(x, acrossX) < 0.0 ? -moved : moved; // a mirrored surface keeps its outside
+}
+
+// Returns the number of pixels that a piece of surface covers, times the size of a pixel on the plane at
+// depth 1; negative if the surface faces away.
+float coveredPixels(vec3 position, vec3 area)
 {
   float depth = mix(1.0, -position.z, perspective);
   vec3 toEye = mix(vec3(0.0, 0.0, 1.0), -position, perspective);
-  return dot(normal, toEye) / (depth * depth * depth);
+  return dot(area, toEye) / (depth * depth * depth);
 }
 
 // Returns the number of texels of the history per pixel of this frame on the surface of a point.
-float historyTexelsPerPixel(SurfacePoint point, vec3 before, vec3 normalBefore)
+float historyTexelsPerPixel(SurfacePoint point, vec3 before, vec3 areaBefore)
 {
   float sizeRatio =
     (pixelToEye.x * pixelToEye.y) / (previousPixelToEye.x * previousPixelToEye.y);
-  return sizeRatio * pixelDensity(before, normalBefore) /
-    max(pixelDensity(point.position, point.normal), 1e-9);
+  return sizeRatio * coveredPixels(before, areaBefore) /
+    max(coveredPixels(point.position, point.normal), 1e-9);
 }
 
 //VTK::Penumbra::ActorMotionLib
@@ -118,11 +130,11 @@ void main()
   SurfacePoint point = surfaceAt(gl_FragCoord.xy);
   mat4 motion = actorMotion(actorAt(point.pixel));
   vec3 before = (motion * vec4(point.position, 1.0)).xyz;
-  vec3 normalBefore = mat3(motion) * point.normal;
-  vec2 reprojected = sampleHistory(before, normalBefore);
+  vec3 areaBefore = movedArea(motion, point.normal);
+  vec2 reprojected = sampleHistory(before, normalize(areaBefore));
   float weight = min(reprojected.g, weightCap);
   // Pixels share the samples of a texel that covers several of them.
-  weight *= clamp(historyTexelsPerPixel(point, before, normalBefore), 0.0, 1.0);
+  weight *= clamp(historyTexelsPerPixel(point, before, areaBefore), 0.0, 1.0);
   weight = min(weight, historyWeightLimit(point, before));
   // Samples are spent where history is short: at disoccluded pixels and next to moved surfaces.
   int historyLength = weight < settledHistoryWeight ? growingHistory : settledHistory;
