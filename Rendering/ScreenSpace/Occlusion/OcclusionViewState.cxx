@@ -320,7 +320,9 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
     return false;
   }
   this->TotalSamples = (this->TotalSamples + samples) % SequenceLength;
-  this->SamplesSinceReset += samples;
+  this->SamplesSinceReset += byPixel && convergence < constants.AdaptiveConvergence
+    ? std::max(constants.FirstSamples, samples)
+    : samples;
   this->NewSamples += samples;
   this->DisocclusionSamples =
     byPixel ? std::max(constants.FirstSamples, samples) : this->NewSamples;

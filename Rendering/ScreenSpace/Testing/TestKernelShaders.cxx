@@ -60,7 +60,7 @@ protected:
                   "  side.normal = vec2(0.0, 1.0);\n"
                   "  side.sampled = vec2[4](first, second, vec2(0.8, 0.0), vec2(0.9, 0.0));\n"
                   "  side.viewDirection = vec2[4](vec2(0.0, -1.0), vec2(0.0, -1.0), "
-                  "vec2(0.0, -1.0), vec2(0.0, -1.0));\n  return side;\n}\n"
+                  "vec2(0.0, -1.0), vec2(0.0, -1.0));\n  connectPoints(side);\n  return side;\n}\n"
                   "float sideTilted(SliceSide side, float angle)\n{\n"
                   "  side.normal = vec2(sin(angle), cos(angle));\n"
                   "  return sideOcclusion(side, angle, 0.5);\n}\n";

@@ -29,10 +29,7 @@ void main()
   float filterStrength = clamp(1.0 - center.g / convergedWeight, 0.0, 1.0);
   float pixelWidth = pixelToEye.x * mix(1.0, depth, perspective);
   vec2 sum = center;
-  // At most one iteration: a loop instead of a branch lets blocks of converged pixels skip the
-  // fetches.
-  int iterations = filterStrength > 0.0 ? 1 : 0;
-  for (int i = 0; i < iterations; ++i)
+  if (filterStrength > 0.0)
   {
     vec3 ahead = eyePositionAt(pixel + direction) - position;
     vec3 behind = eyePositionAt(pixel - direction) - position;

@@ -22,7 +22,7 @@ void main()
   vec3 position = vec3(0.0);
   vec3 right = vec3(0.0);
   vec3 up = vec3(0.0);
-  for (int i = 0; i <= min(last, 0); ++i)
+  if (filterStrength > 0.0)
   {
     position = eyePositionAt(pixel);
     right = minDiffNeighbor(position, pixel, vec2(1.0, 0.0));
