@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stage.h"
 
+#include "FlatUniforms.h"
 #include "OpenGLFunctions.h"
 #include "ScopedShaderEdit.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -69,8 +70,11 @@ vtkShaderProgram* Stage::Ready(vtkOpenGLRenderWindow* window, const std::string&
   }
   else
   {
-    this->Quad =
-      std::make_unique<vtkOpenGLQuadHelper>(window, vtkPenumbraQuadVS, source.c_str(), "");
+    std::string vertexShader = vtkPenumbraQuadVS;
+    std::string fragmentShader = source;
+    PassUniformsFlat(vertexShader, fragmentShader);
+    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(
+      window, vertexShader.c_str(), fragmentShader.c_str(), "");
     this->Source = source;
     this->Window = window;
   }

@@ -157,4 +157,45 @@ TEST_F(Shaders, ShiftTheDimensionsOfAPixelIndependently)
   }
 }
 
+TEST_F(ShaderEvaluation, StagesPassUniformsOfAllTypes)
+{
+  // More than fit into the inputs of a fragment shader: 4 matrices have 64 components.
+  const std::string declarations =
+    "//VTK::System::Dec\n//VTK::Output::Dec\n"
+    "uniform mat4 first;\nuniform mat4 second;\nuniform mat4 third;\nuniform mat4 fourth;\n"
+    "uniform vec4 four;\nuniform vec3 three;\nuniform vec2 two;\nuniform float one;\n"
+    "uniform int number;\n";
+  const auto setInputs = [](vtkShaderProgram* program, penumbra::Stage&) {
+    float matrix[16];
+    for (int k = 0; k < 4; ++k)
+    {
+      for (int i = 0; i < 16; ++i)
+      {
+        matrix[i] = static_cast<float>(100 * k + i);
+      }
+      const char* names[] = { "first", "second", "third", "fourth" };
+      program->SetUniformMatrix4x4(names[k], matrix);
+    }
+    const float values[] = { 0.1f, 0.2f, 0.3f, 0.4f };
+    program->SetUniform4f("four", values);
+    program->SetUniform3f("three", values);
+    program->SetUniform2f("two", values);
+    program->SetUniformf("one", 7.f);
+    program->SetUniformi("number", 5);
+  };
+  const std::array<double, 4> small = this->Run(declarations,
+    "gl_FragData[0] = vec4(four.w + 10.0 * three.z, two.x + 10.0 * two.y, one, float(number));",
+    setInputs);
+  const std::array<double, 4> matrices = this->Run(declarations,
+    "gl_FragData[0] = vec4(first[3][1], second[0][2], third[2][0], fourth[1][3]) + vec4(four.x);",
+    setInputs);
+  const std::array<double, 4> expected = { 3.4, 2.1, 7.0, 5.0 };
+  const std::array<double, 4> entries = { 13.1, 102.1, 208.1, 307.1 };
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_NEAR(small[i], expected[i], 1e-6);
+    EXPECT_NEAR(matrices[i], entries[i], 1e-4);
+  }
+}
+
 }
