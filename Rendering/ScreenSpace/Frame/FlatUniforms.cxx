@@ -36,8 +36,8 @@ bool IsRepeated(const std::string& text, const std::string& word)
   for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
   {
     const std::size_t end = at + word.size();
-    const bool isWord = (at == 0 || !IsPartOfWord(text[at - 1])) &&
-      (end == text.size() || !IsPartOfWord(text[end]));
+    const bool isWord =
+      (at == 0 || !IsPartOfWord(text[at - 1])) && (end == text.size() || !IsPartOfWord(text[end]));
     count += isWord ? 1 : 0;
   }
   return count > 1;
@@ -56,7 +56,7 @@ std::vector<Uniform> FindUniforms(const std::string& shader)
     if (IsRepeated(shader, name)) // it is used
     {
       uniforms.push_back({ type, name,
-        type == "float"      ? 1
+        type == "float"    ? 1
           : type == "mat4" ? 16
                            : static_cast<std::size_t>(type.back() - '0') });
     }
@@ -93,10 +93,11 @@ void PassUniformsFlat(std::string& vertexShader, std::string& fragmentShader)
   {
     const std::size_t columns = (uniform.Components + 3) / 4;
     const std::size_t components = uniform.Components / columns;
-    const auto partial = std::find_if(used.begin(), used.end(),
-      [&](std::size_t count) { return count + components <= 4; });
+    const auto partial = std::find_if(
+      used.begin(), used.end(), [&](std::size_t count) { return count + components <= 4; });
     const bool isNew = columns > 1 || partial == used.end();
-    const std::size_t input = isNew ? used.size() : static_cast<std::size_t>(partial - used.begin());
+    const std::size_t input =
+      isNew ? used.size() : static_cast<std::size_t>(partial - used.begin());
     if (input + columns > MaximumInputs)
     {
       continue;

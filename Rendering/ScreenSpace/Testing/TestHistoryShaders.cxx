@@ -62,9 +62,10 @@ protected:
     const auto setInputs = [&](vtkShaderProgram* program, penumbra::Stage& stage) {
       SetView(program);
       const std::array<float, 3>& scale = this->Motion;
-      const float motion[16] = { scale[0], 0, 0, 0, 0, scale[1], 0, 0, 0, 0, scale[2], 0, 0, 0, 0, 1 };
-      const float pixelToEye[4] = { this->PixelBefore, this->PixelBefore, -16.5f * this->PixelBefore,
-        -16.5f * this->PixelBefore };
+      const float motion[16] = { scale[0], 0, 0, 0, 0, scale[1], 0, 0, 0, 0, scale[2], 0, 0, 0, 0,
+        1 };
+      const float pixelToEye[4] = { this->PixelBefore, this->PixelBefore,
+        -16.5f * this->PixelBefore, -16.5f * this->PixelBefore };
       const float pixelSize[2] = { 1.f / Side, 1.f / Side };
       program->SetUniformMatrix4x4("toPreviousEye", const_cast<float*>(motion));
       program->SetUniform4f("previousPixelToEye", pixelToEye);
@@ -108,8 +109,9 @@ protected:
   Values History = [](int, int) { return std::array<float, 4>{ 3.f, 6.f }; };
   Values Actors = [](int, int) { return std::array<float, 4>{}; };
   std::string MotionLib = "CameraMotion";
-  std::array<float, 3> Motion = { 1.f, 1.f, 1.f }; ///< scale of lengths from this frame to the last one
-  float PixelBefore = 0.1f;                        ///< width of a pixel of the last frame, in radii
+  std::array<float, 3> Motion = { 1.f, 1.f,
+    1.f };                  ///< scale of lengths from this frame to the last one
+  float PixelBefore = 0.1f; ///< width of a pixel of the last frame, in radii
   float Estimate = 0.25f;
   float WeightCap = 1000.f;
   float SettledWeight = 1000.f;
