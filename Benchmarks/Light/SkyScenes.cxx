@@ -212,10 +212,10 @@ vtkSmartPointer<vtkPolyData> MakeBakedMesh(vtkPolyData* head)
   floor->SetPoint2(-1.0, 1.0, 0.0);
   floor->SetResolution(60, 60);
   all->AddInputConnection(floor->GetOutputPort());
-  vtkNew<vtkPlaneSource> wall;
-  wall->SetOrigin(-1.0, 1.0, 0.0);
-  wall->SetPoint1(1.0, 1.0, 0.0);
-  wall->SetPoint2(-1.0, 1.0, 1.0);
+  vtkNew<vtkPlaneSource> wall; // it does not touch the floor: points of both would have no hemisphere of their own
+  wall->SetOrigin(-1.0, 1.01, 0.0);
+  wall->SetPoint1(1.0, 1.01, 0.0);
+  wall->SetPoint2(-1.0, 1.01, 1.0);
   wall->SetResolution(60, 30);
   all->AddInputConnection(wall->GetOutputPort());
   all->AddInputData(PlaceMesh(head, HeadHeight, { 0.0, 0.0 }));

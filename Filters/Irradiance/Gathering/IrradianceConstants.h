@@ -62,7 +62,7 @@ constexpr float MinimumWeight = 0.05f;
 /// Records of less weight would show as blotches where they disagree (measured,
 /// `./penumbra benchmark light --only box` and `--only skies`: with 0.05, single tiles are off by 2
 /// tolerances and fewer tiles meet it).
-constexpr float MinimumLightWeight = 0.2f;
+constexpr float MinimumLightWeight = 0.25f;
 
 /// Factor on the radius at which the error of a single record, half its Hessian norm times the
 /// squared distance, equals the tolerance. Larger than 1 because weights decrease toward the radius
