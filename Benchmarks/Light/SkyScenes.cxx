@@ -212,7 +212,8 @@ vtkSmartPointer<vtkPolyData> MakeBakedMesh(vtkPolyData* head)
   floor->SetPoint2(-1.0, 1.0, 0.0);
   floor->SetResolution(60, 60);
   all->AddInputConnection(floor->GetOutputPort());
-  vtkNew<vtkPlaneSource> wall; // it does not touch the floor: points of both would have no hemisphere of their own
+  // The wall does not touch the floor: points on both have no hemisphere of their own.
+  vtkNew<vtkPlaneSource> wall;
   wall->SetOrigin(-1.0, 1.01, 0.0);
   wall->SetPoint1(1.0, 1.01, 0.0);
   wall->SetPoint2(-1.0, 1.01, 1.0);
