@@ -12,7 +12,6 @@
 #include "UnitSelection.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace penumbra
@@ -177,10 +176,13 @@ std::uint32_t DistributedOccluders::Exchange(
   {
     this->Counts.Primitives += static_cast<long long>(surface.GetNumberOfPrimitives());
   }
-  if (radius && !std::isfinite(*radius) && this->Ranks.IsFirst())
+  const bool isGathered =
+    radius && !bounds.IsEmpty() && *radius >= glm::distance(bounds.Low, bounds.High);
+  if (isGathered && this->Ranks.IsFirst())
   {
     this->Warn(
-      "Without a radius, the surfaces of all ranks are needed on each rank. This one received " +
+      "Irradiance, and occlusion with a radius of the size of the scene, need the surfaces of all "
+      "ranks on each rank. This one received " +
       std::to_string(this->Counts.SceneBytes) + " bytes of them.");
   }
   return first;

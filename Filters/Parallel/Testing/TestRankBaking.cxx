@@ -517,12 +517,18 @@ TEST(vtkPenumbraDistributedIrradianceFilter, ReceivesWhatRaysMayMeet)
 
 TEST(vtkPenumbraDistributedIrradianceFilter, GathersWithoutRadiusWithOneWarning)
 {
-  const std::vector<Image> parts =
-    BakeOnRanks(3, MakeBlock, [](Filter* filter) { filter->SetQuantityToIrradiance(); });
-  EXPECT_NE(parts[0].at("Warning").find("bytes"), std::string::npos);
-  EXPECT_EQ(parts[1].count("Warning"), 0u);
-  EXPECT_EQ(GetNumber(parts[1], "Statistics/Exchange/Primitives"),
-    GetNumber(parts[1], "Statistics/Exchange/WholePrimitives"));
+  for (const double radius : { 0.0, 1e3, std::numeric_limits<double>::max() })
+  {
+    const std::vector<Image> parts = BakeOnRanks(3, MakeBlock, [=](Filter* filter) {
+      filter->SetRadius(radius);
+      filter->SetQuantity(radius > 0.0 ? Filter::AMBIENT_OCCLUSION : Filter::IRRADIANCE);
+    });
+    ASSERT_EQ(parts[0].count("Warning"), 1u);
+    EXPECT_NE(parts[0].at("Warning").find("bytes"), std::string::npos);
+    EXPECT_EQ(parts[1].count("Warning"), 0u);
+    EXPECT_EQ(GetNumber(parts[1], "Statistics/Exchange/Primitives"),
+      GetNumber(parts[1], "Statistics/Exchange/WholePrimitives"));
+  }
 }
 
 TEST(vtkPenumbraDistributedIrradianceFilter, WarnsOnceOfWhatAllRanksHave)
