@@ -7,9 +7,9 @@
  * The values are those of one rank with the pieces of both inputs, appended in the order of the ranks: the same
  * bits with BRUTE_FORCE and for direct light, otherwise within the tolerance. Before a rank bakes its piece, it
  * receives the triangles, spheres and tubes of other ranks that rays from the piece may meet, with their opacity:
- * for ambient occlusion, those within Radius of the bounds of the piece; for direct light, those between the
- * piece and the lights; for irradiance, and if Radius is that of the scene, all. One warning says how many bytes these are.
- * The default of Radius is 0.1 times the diagonal of the bounds of all pieces.
+ * for ambient occlusion, those within Radius of the bounds of the piece; for direct light, those between the piece
+ * and the lights; for irradiance, and if Radius is that of the scene, all. One warning says how many bytes these
+ * are. The default of Radius is 0.1 times the diagonal of the bounds of all pieces.
  *
  * The estimated error and the statistics are those of the piece, and of the exchange: `Exchange/SceneBytes`
  * (received), `Exchange/WholeBytes` (of all surfaces), `Exchange/Primitives` (after the exchange) and
