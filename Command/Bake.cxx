@@ -217,12 +217,6 @@ void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
   static_cast<ProgressLine*>(clientData)->Show("baking", *static_cast<double*>(callData));
 }
 
-void OnWarning(vtkObject*, unsigned long, void* clientData, void* callData)
-{
-  static_cast<std::vector<std::string>*>(clientData)
-    ->push_back(NameOptions(StripMessagePrefix(static_cast<const char*>(callData))));
-}
-
 /// Returns true if hemispheres are sampled by the rasterizer.
 bool UsesCubeMap(const BakeOptions& options)
 {
@@ -301,10 +295,7 @@ int Bake(const BakeOptions& options, std::vector<std::string> warnings, Clock::t
   progressObserver->SetCallback(OnProgress);
   progressObserver->SetClientData(&progress);
   filter->AddObserver(vtkCommand::ProgressEvent, progressObserver);
-  vtkNew<vtkCallbackCommand> warningObserver;
-  warningObserver->SetCallback(OnWarning);
-  warningObserver->SetClientData(&warnings);
-  filter->AddObserver(vtkCommand::WarningEvent, warningObserver);
+  CollectWarnings(filter, warnings);
   TakeErrors();
   filter->Update();
   const std::vector<std::string> errors = TakeErrors();

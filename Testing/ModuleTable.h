@@ -39,7 +39,7 @@ inline const std::vector<Row> Table = {
   { "Filters/Scene", { "Filters/Scene/Execution" }, { "GLM", "OpenGL" } },
   { "Filters/Scene/Environment", { "Filters/Scene/Execution" }, { "GLM" } },
   { "Filters/Scene/Features", {}, {} },
-  { "Filters/Scene/Geometry", { "Filters/Scene/Execution" }, { "GLM" } },
+  { "Filters/Scene/Geometry", { "Filters/Scene", "Filters/Scene/Execution" }, { "GLM" } },
   { "Filters/Scene/Tessellation",
     { "Filters/Scene", "Filters/Scene/Execution", "Filters/Scene/Geometry" }, { "GLM" } },
   { "Filters/Scene/Annotation", { "Filters/Scene", "Filters/Scene/Features" }, { "GLM" } },

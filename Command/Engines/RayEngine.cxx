@@ -68,13 +68,6 @@ void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
   observer.Listener(*static_cast<double*>(callData));
 }
 
-// Collects warnings about geometry that the ray caster skips.
-void OnWarning(vtkObject*, unsigned long, void* clientData, void* callData)
-{
-  static_cast<std::vector<std::string>*>(clientData)
-    ->push_back(NameOptions(StripMessagePrefix(static_cast<const char*>(callData))));
-}
-
 // Replaces `CellId` of extracted surfaces by the cell id in the data set of the file. The former array
 // is not changed.
 void RestoreCellIds(vtkImageData* image, vtkRenderer* renderer)
@@ -219,10 +212,7 @@ RenderResult Draw(vtkPenumbraRayCaster* caster, vtkRenderer* renderer, const Ren
   caster->AddObserver(vtkCommand::ProgressEvent, observer);
 
   RenderResult result;
-  vtkNew<vtkCallbackCommand> warningObserver;
-  warningObserver->SetCallback(OnWarning);
-  warningObserver->SetClientData(&result.Warnings);
-  caster->AddObserver(vtkCommand::WarningEvent, warningObserver);
+  const unsigned long warningObserver = CollectWarnings(caster, result.Warnings);
 
   TakeErrors();
   const Clock::time_point start = Clock::now();

@@ -2,6 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptionNames.h"
 
+#include "MessageLog.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkObject.h"
+
 #include <cctype>
 #include <utility>
 
@@ -71,6 +77,17 @@ std::string NameOptions(std::string message)
     ReplaceWords(message, words, replacement);
   }
   return message;
+}
+
+unsigned long CollectWarnings(vtkObject* object, std::vector<std::string>& warnings)
+{
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&warnings);
+  observer->SetCallback([](vtkObject*, unsigned long, void* all, void* text) {
+    static_cast<std::vector<std::string>*>(all)->push_back(
+      NameOptions(StripMessagePrefix(static_cast<const char*>(text))));
+  });
+  return object->AddObserver(vtkCommand::WarningEvent, observer);
 }
 
 }

@@ -6,6 +6,9 @@
 #define penumbra_OptionNames_h
 
 #include <string>
+#include <vector>
+
+class vtkObject;
 
 namespace penumbra
 {
@@ -13,6 +16,10 @@ namespace penumbra
 /// Returns a message of a module with the options of this program instead of the properties and
 /// functions of classes.
 std::string NameOptions(std::string message);
+
+/// Appends the warnings of an object to `warnings`, in these words, until the observer that it returns is
+/// removed.
+unsigned long CollectWarnings(vtkObject* object, std::vector<std::string>& warnings);
 
 }
 #endif

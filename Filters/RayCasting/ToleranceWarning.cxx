@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ToleranceWarning.h"
 
+#include "Vectors.h"
+
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -39,11 +41,6 @@ struct TileErrors
   double MaximumError = 0.0;         ///< largest RMSE of a tile
 };
 
-double Square(double x)
-{
-  return x * x;
-}
-
 /// Pixels outside of the extent of `image` count as exact.
 TileError ComputeTileError(vtkImageData* image, const glm::ivec2& resolution, int x, int y)
 {
@@ -61,8 +58,8 @@ TileError ComputeTileError(vtkImageData* image, const glm::ivec2& resolution, in
     {
       const vtkIdType pixel =
         static_cast<vtkIdType>(j - extent[2]) * (extent[1] - extent[0] + 1) + i - extent[0];
-      error.Total += Square(errors->GetValue(pixel));
-      error.Light += lightErrors ? Square(lightErrors->GetValue(pixel)) : 0.0;
+      error.Total += Square<double>(errors->GetValue(pixel));
+      error.Light += lightErrors ? Square<double>(lightErrors->GetValue(pixel)) : 0.0;
     }
   }
   const int count = std::min(TileSide, resolution.x - x) * std::min(TileSide, resolution.y - y);
@@ -88,8 +85,8 @@ TileErrors EvaluateTiles(
       if (std::sqrt(error.Total) > limit)
       {
         ++tiles.AboveTolerance;
-        tiles.AboveLightTolerance += error.Light > Square(settings.LightTolerance) ? 1 : 0;
-        tiles.AboveOther += error.Total - error.Light > Square(settings.Tolerance) ? 1 : 0;
+        tiles.AboveLightTolerance += error.Light > Square<double>(settings.LightTolerance) ? 1 : 0;
+        tiles.AboveOther += error.Total - error.Light > Square<double>(settings.Tolerance) ? 1 : 0;
       }
     }
   }

@@ -20,6 +20,13 @@ struct AxisAlignedBox
 
   bool IsEmpty() const { return !(this->Low.x <= this->High.x); }
 
+  /// Returns the area of the surface.
+  double ComputeArea() const
+  {
+    const glm::dvec3 size = glm::dvec3(this->High) - glm::dvec3(this->Low);
+    return 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x);
+  }
+
   void Add(glm::vec3 point)
   {
     this->Low = glm::min(this->Low, point);

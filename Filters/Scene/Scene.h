@@ -7,7 +7,7 @@
 // Scene coordinates are (world - Origin) * Scale in single precision. Origin is the camera
 // position, or a point in front of the scene if the projection is parallel or the scene is far
 // away, or, for scenes that are kept while the camera moves, a point beside the bounds
-// (FixedOrigin.h). Scenes at a distance of 1e7 from the world's origin and scenes of size 1e-6 therefore keep
+// (Geometry/FixedOrigin.h). Scenes at a distance of 1e7 from the world's origin and scenes of size 1e-6 therefore keep
 // their precision. All positions and directions below are in scene coordinates. Projections are
 // computed in double precision from the rounded positions, so that projected edges match the traced
 // triangles.

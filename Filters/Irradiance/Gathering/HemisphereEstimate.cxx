@@ -25,6 +25,7 @@
 #include "HemisphereEstimate.h"
 
 #include "IrradianceConstants.h"
+#include "Vectors.h"
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
@@ -34,11 +35,6 @@ namespace penumbra
 {
 namespace
 {
-
-float LargestChannel(glm::vec3 color)
-{
-  return std::max({ color.x, color.y, color.z });
-}
 
 /// Sums derivatives over the boundaries between cells.
 class Boundaries
@@ -97,7 +93,7 @@ public:
     {
       this->Gradient[c] += step[c] * change;
     }
-    const float largestStep = LargestChannel(glm::abs(step));
+    const float largestStep = MaximumComponent(glm::abs(step));
     this->GradientSum += largestStep * cosine * length / edgeDistance;
     this->GradientSumOverDistance += largestStep * cosine * length / (edgeDistance * edgeDistance);
     const glm::vec3 shape = Symmetric(glm::vec2(w), glm::vec2(edgeNormal));
@@ -308,7 +304,7 @@ HemisphereEstimate EstimateHemisphere(const HemisphereGrid& grid, const glm::mat
   {
     boundaries.AddFalloff(cell, fraction);
   }
-  result.Error = std::sqrt(LargestChannel(boundaries.Variance)) * fraction;
+  result.Error = std::sqrt(MaximumComponent(boundaries.Variance)) * fraction;
   result.HessianNorm = boundaries.ComputeHessianNorm();
   result.OccluderEdgeDistance = boundaries.OccluderEdgeDistance();
   for (int c = 0; c < 3; ++c)

@@ -6,6 +6,7 @@
 #include "Scene.h"
 #include "Shading/HemisphereSampling.h"
 #include "Shading/OwenSobolSequence.h"
+#include "Vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,16 +28,6 @@ constexpr float LocalDeviation = 0.25f;
 constexpr float MeanDeviationPart = 0.25f;
 /// Minimum estimated error of a coarse color, for objects that no ray of the region hits.
 constexpr float CoarseErrorFloor = 0.01f;
-
-float Square(float x)
-{
-  return x * x;
-}
-
-float MaximumComponent(const glm::vec4& v)
-{
-  return std::max({ v.x, v.y, v.z, v.w });
-}
 
 /// Returns the light of a layer.
 template <int N>
@@ -192,9 +183,9 @@ void CoarseImage::FindDeviations()
       }
     }
     Node& node = this->Nodes[i];
-    node.Deviation = Square(MaximumComponent(glm::abs(node.Color - color / count)));
+    node.Deviation = Square<float>(MaximumComponent(glm::abs(node.Color - color / count)));
     node.FactorDeviation =
-      Square(MaximumComponent(glm::vec4(glm::abs(node.Factor - factor / count), 0.f)));
+      Square<float>(MaximumComponent(glm::vec4(glm::abs(node.Factor - factor / count), 0.f)));
     sum += node.Deviation;
     factorSum += node.FactorDeviation;
   }
@@ -227,9 +218,9 @@ CoarseImage::Value CoarseImage::At(int x, int y) const
     deviation += 0.25f * node.Deviation;
     factorDeviation += 0.25f * node.FactorDeviation;
   }
-  value.Error =
-    std::sqrt(Square(ContrastError * MaximumComponent(most - least)) + LocalDeviation * deviation +
-      MeanDeviationPart * this->MeanDeviation + Square(CoarseErrorFloor));
+  value.Error = std::sqrt(Square<float>(ContrastError * MaximumComponent(most - least)) +
+    LocalDeviation * deviation + MeanDeviationPart * this->MeanDeviation +
+    Square<float>(CoarseErrorFloor));
   value.FactorError = MaximumComponent(glm::vec4(glm::vec3(value.Color), 0.f)) *
     std::sqrt(LocalDeviation * factorDeviation + MeanDeviationPart * this->MeanFactorDeviation);
   return value;

@@ -9,6 +9,7 @@
 #include "Scene.h"
 #include "SiteJoining.h"
 #include "SiteSampler.h"
+#include "Vectors.h"
 
 #include <algorithm>
 #include <atomic>
@@ -19,16 +20,6 @@ namespace penumbra
 {
 namespace
 {
-
-float Square(float x)
-{
-  return x * x;
-}
-
-float MaximumComponent(const glm::vec3& v)
-{
-  return std::max({ v.x, v.y, v.z });
-}
 
 glm::ivec2 RoundDown(glm::ivec2 p)
 {
@@ -119,7 +110,7 @@ public:
     {
       return true;
     }
-    const auto limit = static_cast<float>(Square(LightErrorMargin * tolerance));
+    const auto limit = static_cast<float>(Square<float>(LightErrorMargin * tolerance));
     for (int tile = 0; tile < this->Count; ++tile)
     {
       if (this->IncreaseTile(this->GetFirst(static_cast<int>(tile)), limit))
@@ -196,7 +187,7 @@ private:
     const Camera& camera = this->Tracer.GetScene().ViewCamera;
     const glm::ivec2 end = glm::min(first + LightTileSide, glm::ivec2(camera.Width, camera.Height));
     return penumbra::IncreaseTile(this->Grid, first, end, limit,
-      [&](int x, int y) { return Square(this->Field.At(x, y).Error); });
+      [&](int x, int y) { return Square<float>(this->Field.At(x, y).Error); });
   }
 
   glm::ivec2 GetFirst(int tile) const
@@ -383,7 +374,7 @@ float JoinedLight<N>::ComputeSquaredError(const LightSite<N>& site, float sample
     for (int c = 0; c < 3; ++c)
     {
       const bool isOcclusion = Terms::HasOcclusion && term == Terms::OcclusionTerm;
-      sum[c] += Square(color[c]) * squares[isOcclusion ? 0 : Terms::FirstRadiance + c];
+      sum[c] += Square<float>(color[c]) * squares[isOcclusion ? 0 : Terms::FirstRadiance + c];
     }
   }
   return MaximumComponent(sum);
@@ -445,7 +436,7 @@ LightField::Change JoinedLight<N>::At(int x, int y) const
     }
     parts = std::max(parts, std::abs(difference));
   }
-  result.Error = std::sqrt(squares + PartVarianceGain * Square(parts));
+  result.Error = std::sqrt(squares + PartVarianceGain * Square<float>(parts));
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include "LightPatch.h"
 
 #include "LightConstants.h"
+#include "Vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +14,6 @@ namespace
 {
 
 constexpr int Count = LightFeatures::Count;
-
-template <typename T>
-T Square(const T& x)
-{
-  return x * x;
-}
 
 } // namespace
 

@@ -6,6 +6,7 @@
 #include "LightBias.h"
 #include "LightConstants.h"
 #include "LightLevel.h"
+#include "Vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +16,6 @@ namespace penumbra
 {
 namespace
 {
-
-template <typename T>
-T Square(const T& x)
-{
-  return x * x;
-}
 
 template <int N>
 class SiteJoining

@@ -7,6 +7,7 @@
 #include "Scene.h"
 #include "Surface.h"
 #include "Tiles/ScreenTriangle.h"
+#include "Vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,11 +82,6 @@ bool AreJoined(const Surface& surface, std::uint32_t a, std::uint32_t b)
     length += i == std::min(a, b) ? 0.0 : glm::distance(shape.A, shape.B);
   }
   return length <= limit;
-}
-
-double Cross(glm::dvec2 a, glm::dvec2 b)
-{
-  return a.x * b.y - a.y * b.x;
 }
 
 /// A triangle relative to the lower left corner of a pixel, with the plane of its keys.

@@ -4,6 +4,7 @@
 
 #include "Pixels/CoverageConstants.h"
 #include "Pixels/PixelErrors.h"
+#include "Vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +17,6 @@ namespace
 
 /// Number of pixels of a tile that the border of the image does not clip.
 constexpr int PixelsPerTile = 256;
-
-double Square(double x)
-{
-  return x * x;
-}
 
 /// Returns the power of the number of samples that reduces the squared error of a pixel.
 double GetDecay(const SampledPixel& pixel)
@@ -41,7 +37,7 @@ public:
     {
       if (pixel->GetNumberOfSamples() > 0)
       {
-        sum += Square(pixel->Result.Error) * ComputeDecay(*pixel);
+        sum += Square<double>(pixel->Result.Error) * ComputeDecay(*pixel);
         count += 1.0;
       }
     }
@@ -50,7 +46,7 @@ public:
 
   double ComputeSquaredError(const SampledPixel& pixel) const
   {
-    const double own = Square(pixel.Result.Error);
+    const double own = Square<double>(pixel.Result.Error);
     if (pixel.GetNumberOfSamples() == 0)
     {
       return own;
@@ -92,10 +88,10 @@ bool RefineTile(
 {
   const IntegrationSettings& settings = sampler.GetSettings();
   const bool isLit = !pixels.empty() && pixels.front()->Source == SampleSource::LitRays;
-  const double limit =
-    Square(settings.GetTileTolerance()) + (isLit ? Square(settings.Light->GetTolerance()) : 0.0);
+  const double limit = Square<double>(settings.GetTileTolerance()) +
+    (isLit ? Square<double>(settings.Light->GetTolerance()) : 0.0);
   const double tileLimit = limit * count;
-  const double pixelLimit = limit * Square(MaximumPixelError);
+  const double pixelLimit = limit * Square<double>(MaximumPixelError);
   const int maximumSamples =
     std::min(SampleBudgetFactor * ComputeMaximumSamples(settings.Tolerance), MaximumSamples);
   // A few pixels may use the budget of the whole tile, even at the edge of the image.

@@ -5,6 +5,7 @@
 #include "Scene.h"
 #include "Shading/RayTracingConstants.h"
 #include "Surface.h"
+#include "Vectors.h"
 #include "vtkPenumbraIrradianceProvider.h"
 
 #include <glm/gtc/constants.hpp>
@@ -41,16 +42,6 @@ struct SurfacePoint
   }
 };
 
-float MaximumComponent(const glm::vec3& v)
-{
-  return std::max({ v.x, v.y, v.z });
-}
-
-double Square(double x)
-{
-  return x * x;
-}
-
 /// Returns the error to report. A value without rays is interpolated between records, which are placed
 /// so that it is within the tolerance; its own estimate may be far larger.
 double ComputeReportedError(double error, long long rays, double tolerance)
@@ -86,9 +77,9 @@ float LayerLighting::EstimateOcclusion(
       &point.Position.x, &point.Normal.x, tolerance, &point.Geometric.x);
   counts.Occlusion += estimate.Rays;
   this->SquaredError +=
-    Square(weight * ComputeReportedError(estimate.Error, estimate.Rays, tolerance));
+    Square<double>(weight * ComputeReportedError(estimate.Error, estimate.Rays, tolerance));
   this->SquaredTolerance +=
-    weight * Square(this->ToleranceScale * this->Settings.OcclusionTolerance);
+    weight * Square<double>(this->ToleranceScale * this->Settings.OcclusionTolerance);
   return static_cast<float>(estimate.Value);
 }
 
@@ -103,9 +94,9 @@ glm::vec3 LayerLighting::EstimateIrradiance(
   counts.Indirect += light.Rays;
   const double factor = this->Settings.Albedo / glm::pi<double>();
   this->SquaredError +=
-    Square(weight * factor * ComputeReportedError(light.Error, light.Rays, tolerance));
+    Square<double>(weight * factor * ComputeReportedError(light.Error, light.Rays, tolerance));
   this->SquaredTolerance +=
-    weight * Square(factor * this->ToleranceScale * this->Settings.IrradianceTolerance);
+    weight * Square<double>(factor * this->ToleranceScale * this->Settings.IrradianceTolerance);
   return { light.Value[0], light.Value[1], light.Value[2] };
 }
 
@@ -188,9 +179,9 @@ void LayerLighting::CompleteShared(const Estimate& next, glm::vec4& color)
     const glm::vec3 irradiance = 0.5f * (this->Last.Irradiance + next.Irradiance);
     color += glm::vec4(
       this->SharedReflectance * irradiance / glm::pi<float>() - occlusion * this->SharedColor, 0.f);
-    this->SharingError += Square(0.25f * MaximumComponent(this->SharedColor) *
+    this->SharingError += Square<double>(0.25f * MaximumComponent(this->SharedColor) *
                             std::abs(next.Occlusion - this->Last.Occlusion)) +
-      Square(0.25f * MaximumComponent(this->SharedReflectance) / glm::pi<float>() *
+      Square<double>(0.25f * MaximumComponent(this->SharedReflectance) / glm::pi<float>() *
         MaximumComponent(glm::abs(next.Irradiance - this->Last.Irradiance)));
   }
   this->SharedWeight = 0.f;
@@ -217,7 +208,8 @@ float LayerLighting::Finish(const Ray& ray, glm::vec4& color, RayCounts& counts)
   {
     return 0.f;
   }
-  const double excess = this->SquaredError - Square(ReportedErrorFactor) * this->SquaredTolerance;
+  const double excess =
+    this->SquaredError - Square<double>(ReportedErrorFactor) * this->SquaredTolerance;
   return static_cast<float>(std::sqrt(this->SharingError + std::max(excess, 0.0)));
 }
 

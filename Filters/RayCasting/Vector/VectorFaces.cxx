@@ -6,6 +6,7 @@
 #include "FaceOrder.h"
 #include "Scene.h"
 #include "Surface.h"
+#include "Vectors.h"
 
 #include <algorithm>
 #include <array>
@@ -52,11 +53,6 @@ struct Fan
   bool IsComplete = true;     ///< all are drawn, and each has a neighbor on both sides
   double Radius = std::numeric_limits<double>::max(); ///< of a circle inside them, in pixels
 };
-
-double Cross(glm::dvec2 a, glm::dvec2 b)
-{
-  return a.x * b.y - a.y * b.x;
-}
 
 /// Returns an index for each position of a surface that is the same for equal coordinates.
 std::vector<std::uint32_t> MergePositions(const Surface& surface, std::uint32_t first)

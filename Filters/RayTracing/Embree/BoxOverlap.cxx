@@ -22,12 +22,6 @@ namespace
 /// Number of triangles, approximately, that are first searched for copies.
 constexpr std::size_t MaximumTrianglesTried = 8192;
 
-double ComputeArea(const AxisAlignedBox& box)
-{
-  const glm::dvec3 size = glm::dvec3(box.High) - glm::dvec3(box.Low);
-  return 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x);
-}
-
 /// The positions of the corners, the smallest first, and the index of a triangle.
 using Key = std::tuple<std::array<std::array<float, 3>, 3>, std::uint32_t>;
 
@@ -87,7 +81,7 @@ BoxOverlap::BoxOverlap(const Surface& surface)
         box.Add(surface.Positions[t[i]]);
       }
       const glm::vec3 a = surface.Positions[t.x];
-      sums.Boxes += ComputeArea(box);
+      sums.Boxes += box.ComputeArea();
       sums.Triangles +=
         glm::length(glm::cross(surface.Positions[t.y] - a, surface.Positions[t.z] - a));
       sums.Bounds.Add(box);
@@ -101,7 +95,7 @@ BoxOverlap::BoxOverlap(const Surface& surface)
     total.Triangles += part.Triangles;
     total.Bounds.Add(part.Bounds);
   }
-  const double area = ComputeArea(total.Bounds);
+  const double area = total.Bounds.ComputeArea();
   this->Number = area > 0.0 ? total.Boxes / area : 0.0;
   this->Thinness = total.Boxes > 0.0 ? total.Boxes / std::max(total.Triangles, 1e-300) : 0.0;
 }

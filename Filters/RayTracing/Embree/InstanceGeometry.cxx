@@ -22,11 +22,6 @@ constexpr double SphereSlack = 1e-6;
 /// the first instance is found in any order.
 constexpr double RangeSlack = 1e-6;
 
-const TracedSurface& GetTraced(const void* data)
-{
-  return *static_cast<const TracedSurface*>(data);
-}
-
 void ComputeBounds(const RTCBoundsFunctionArguments* args)
 {
   const TracedSurface& traced = GetTraced(args->geometryUserPtr);

@@ -4,6 +4,7 @@
 
 #include "RoundIntersection.h"
 #include "Surface.h"
+#include "Vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +27,6 @@ constexpr std::size_t MinimumGroupedSpheres = 500000;
 /// Number of spheres in a group (*measured* with a million random spheres and ambient occlusion: 2
 /// take 37 bytes per sphere less than 1 and 10 % more time; 3 take 52 bytes less and 35 % more).
 constexpr std::size_t SpheresPerGroup = 2;
-
-const TracedSurface& GetTraced(const void* userData)
-{
-  return *static_cast<const TracedSurface*>(userData);
-}
 
 /// Calls `function` with the index of each shape of a primitive of Embree.
 template <typename Function>
@@ -68,17 +64,6 @@ void ComputeBounds(const RTCBoundsFunctionArguments* args)
     low[axis] = std::nextafter(lowest[axis], -Infinity);
     high[axis] = std::nextafter(highest[axis], Infinity);
   }
-}
-
-/// Inserts two zero bits between the lower 21 bits of a number.
-std::uint64_t SpreadBits(std::uint64_t x)
-{
-  x &= 0x1fffff;
-  x = (x | x << 32) & 0x1f00000000ffffull;
-  x = (x | x << 16) & 0x1f0000ff0000ffull;
-  x = (x | x << 8) & 0x100f00f00f00f00full;
-  x = (x | x << 4) & 0x10c30c30c30c30c3ull;
-  return (x | x << 2) & 0x1249249249249249ull;
 }
 
 /// Returns the indices of points in the order of their Morton codes, so that consecutive ones are

@@ -17,11 +17,6 @@ namespace penumbra
 namespace
 {
 
-const TracedSurface& GetTraced(const void* userData)
-{
-  return *static_cast<const TracedSurface*>(userData);
-}
-
 /// Embree callback: bounds of the surface or of a cell, rounded outwards.
 void ComputeBounds(const RTCBoundsFunctionArguments* args)
 {

@@ -26,12 +26,6 @@ constexpr std::size_t MaximumTrianglesTried = 8192;
 /// Embree tests boxes and triangles a few times faster.
 constexpr double MinimumGain = 4.0;
 
-double ComputeArea(const AxisAlignedBox& box)
-{
-  const glm::dvec3 size = glm::dvec3(box.High) - glm::dvec3(box.Low);
-  return 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x);
-}
-
 /// Mean and covariance of points.
 class Moments
 {
@@ -260,7 +254,7 @@ double SliverTree::ComputeGain() const
     }
     const glm::dvec3 size(2.0 / glm::length(glm::dvec3(node.Axes[0])),
       2.0 / glm::length(glm::dvec3(node.Axes[1])), 2.0 / glm::length(glm::dvec3(node.Axes[2])));
-    aligned += ComputeArea(box);
+    aligned += box.ComputeArea();
     oriented += 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x);
   }
   return oriented > 0.0 ? aligned / oriented : 0.0;

@@ -21,6 +21,12 @@ struct UserFunctions
   RTCOccludedFunctionN Occlude;
 };
 
+/// Returns the surface from the user data of such a geometry.
+inline const TracedSurface& GetTraced(const void* userData)
+{
+  return *static_cast<const TracedSurface*>(userData);
+}
+
 /// Makes a geometry of `count` primitives of a surface. `traced` must outlive it.
 inline RTCGeometry MakeUserGeometry(
   RTCDevice device, TracedSurface& traced, std::size_t count, const UserFunctions& functions)

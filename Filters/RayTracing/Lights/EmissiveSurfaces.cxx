@@ -5,6 +5,7 @@
 #include "Execution/AvailableMemory.h"
 #include "Scene.h"
 #include "Surface.h"
+#include "Vectors.h"
 
 #include <algorithm>
 #include <string>
@@ -16,11 +17,6 @@ namespace
 
 /// Bytes of a bright emitter here and in an EmitterTree, at least.
 constexpr double BytesPerEmitter = 2.0 * sizeof(Emitter);
-
-float LargestChannel(glm::vec3 color)
-{
-  return std::max({ color.x, color.y, color.z });
-}
 
 glm::vec3 MeanColor(const Texture& texture)
 {
@@ -66,7 +62,7 @@ public:
     }
   }
 
-  bool IsEmissive() const { return LargestChannel(this->Factor) > 0.f; }
+  bool IsEmissive() const { return MaximumComponent(this->Factor) > 0.f; }
 
   float ComputeStrength(std::uint32_t primitive) const
   {
@@ -83,7 +79,7 @@ public:
                   glm::vec3(this->Data.PointColors[corners.z]))) /
         255.f;
     }
-    return LargestChannel(this->Factor * color);
+    return MaximumComponent(this->Factor * color);
   }
 
 private:

@@ -3,6 +3,7 @@
 #include "EnvironmentMap.h"
 
 #include "RayTracingConstants.h"
+#include "Vectors.h"
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
@@ -16,11 +17,6 @@ namespace
 {
 
 constexpr double Pi = glm::pi<double>();
-
-float LargestChannel(glm::vec3 color)
-{
-  return std::max({ color.x, color.y, color.z });
-}
 
 }
 
@@ -43,14 +39,14 @@ EnvironmentMap::EnvironmentMap(
     for (int i = 0; i < width; ++i)
     {
       glm::vec3& radiance = this->ClampedRadiances[static_cast<std::size_t>(row) * width + i];
-      const float largest = LargestChannel(radiance);
+      const float largest = MaximumComponent(radiance);
       if (largest > threshold)
       {
         this->Suns.push_back({ i, radiance / largest, sum });
         sum += solidAngle * (largest - threshold);
         radiance *= threshold / largest;
       }
-      this->LargestRadiance = std::max(this->LargestRadiance, double(LargestChannel(radiance)));
+      this->LargestRadiance = std::max(this->LargestRadiance, double(MaximumComponent(radiance)));
     }
     if (sum > 0.0)
     {
@@ -76,7 +72,7 @@ double EnvironmentMap::ComputeClampedMean(double limit) const
     {
       const glm::vec3 radiance =
         this->ClampedRadiances[static_cast<std::size_t>(row) * this->Width + i];
-      mean += weight * std::min(limit, double(LargestChannel(radiance)));
+      mean += weight * std::min(limit, double(MaximumComponent(radiance)));
     }
   }
   return mean;

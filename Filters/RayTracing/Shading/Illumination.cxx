@@ -8,6 +8,7 @@
 #include "RayTracingConstants.h"
 #include "Scene.h"
 #include "Surface.h"
+#include "Vectors.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -34,11 +35,6 @@ Ray MakeInactiveRay()
   Ray ray;
   ray.Far = -1.f;
   return ray;
-}
-
-double LargestChannel(glm::vec3 color)
-{
-  return std::max({ color.x, color.y, color.z });
 }
 
 /// Returns the weight of a sample of density `own` if the same direction could have been sampled
@@ -80,7 +76,7 @@ void Illumination::FindEmitters()
 void Illumination::FindSourceRadiance(double emitted)
 {
   const EnvironmentMap* map = this->Settings.Map.get();
-  const double color = LargestChannel(this->Settings.Environment);
+  const double color = MaximumComponent(glm::vec3(this->Settings.Environment));
   const double mean = std::max(emitted, map ? map->GetMeanRadiance() : color);
   double largest = std::max(EmitterThreshold * emitted, map ? map->GetLargestRadiance() : color);
   if (map && this->Settings.Bounces > 1)
@@ -89,7 +85,7 @@ void Illumination::FindSourceRadiance(double emitted)
   }
   for (const Light& light : this->Rays.GetScene().Lights)
   {
-    largest = std::max(largest, double(LargestChannel(light.DiffuseColor)));
+    largest = std::max(largest, double(MaximumComponent(light.DiffuseColor)));
   }
   const auto orOne = [](double value) { return value > 0.0 && std::isfinite(value) ? value : 1.0; };
   this->Sources = { orOne(mean), orOne(largest) };

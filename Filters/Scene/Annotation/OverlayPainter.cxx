@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OverlayPainter.h"
 
+#include "Vectors.h"
+
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -52,11 +54,6 @@ void ForEachPixel(const std::vector<glm::dvec2>& corners, const Overlay& overlay
       }
     }
   }
-}
-
-double Cross(glm::dvec2 a, glm::dvec2 b)
-{
-  return a.x * b.y - a.y * b.x;
 }
 
 }

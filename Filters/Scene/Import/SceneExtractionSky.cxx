@@ -18,6 +18,8 @@
 #include "vtkSkybox.h"
 #include "vtkTexture.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -53,16 +55,11 @@ std::shared_ptr<Sky> MakeSky(vtkSkybox* skybox, std::vector<std::string>& warnin
   return sky;
 }
 
-glm::dvec3 ToVector(const double* x)
-{
-  return { x[0], x[1], x[2] };
-}
-
 /// Returns the rotation to the coordinates of environments.
 glm::dmat3 FindEnvironmentRotation(vtkRenderer* renderer)
 {
-  const glm::dvec3 right = ToVector(renderer->GetEnvironmentRight());
-  const glm::dvec3 up = ToVector(renderer->GetEnvironmentUp());
+  const glm::dvec3 right = glm::make_vec3(renderer->GetEnvironmentRight());
+  const glm::dvec3 up = glm::make_vec3(renderer->GetEnvironmentUp());
   return glm::transpose(glm::dmat3(right, up, glm::cross(right, up)));
 }
 

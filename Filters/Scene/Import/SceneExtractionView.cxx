@@ -4,7 +4,7 @@
 
 #include "CollectionItems.h"
 #include "Features/SceneFeatures.h"
-#include "FixedOrigin.h"
+#include "Geometry/FixedOrigin.h"
 #include "Scene.h"
 #include "SceneExtractionColors.h"
 #include "SceneExtractionSky.h"
@@ -19,6 +19,8 @@
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -35,11 +37,6 @@ constexpr double NearDistance = 1e-9;
 
 /// Fraction of the far plane up to which a near plane does not clip. VTK resets ranges to 1e-3 or more.
 constexpr double MinimumNearFraction = 1e-6;
-
-glm::dvec3 ToVector(const double x[3])
-{
-  return { x[0], x[1], x[2] };
-}
 
 bool IsFinite(const double bounds[6])
 {
@@ -244,9 +241,9 @@ Light ConvertLight(vtkRenderer* renderer, vtkLight* light, const LightSize& size
   {
     result.AngularRadius = static_cast<float>(vtkMath::RadiansFromDegrees(0.5 * size.Angle));
   }
-  const glm::dvec3 distorted = distortion * glm::dvec4(ToVector(position), 1.0);
+  const glm::dvec3 distorted = distortion * glm::dvec4(glm::make_vec3(position), 1.0);
   result.Position = (distorted - scene.Origin) * scene.Scale;
-  glm::dvec3 direction = ToVector(focalPoint) - ToVector(position);
+  glm::dvec3 direction = glm::make_vec3(focalPoint) - glm::make_vec3(position);
   if (distortion != glm::dmat4(1.0))
   {
     // VTK transforms the directions of lights like normals.
@@ -254,7 +251,7 @@ Light ConvertLight(vtkRenderer* renderer, vtkLight* light, const LightSize& size
   }
   const double length = glm::length(direction);
   result.Direction = glm::vec3(length > 0.0 ? direction / length : scene.ViewCamera.Forward);
-  const glm::dvec3 color = ToVector(light->GetDiffuseColor()) * light->GetIntensity();
+  const glm::dvec3 color = glm::make_vec3(light->GetDiffuseColor()) * light->GetIntensity();
   // VTK's shaders use the diffuse color for highlights, too.
   result.DiffuseColor = color;
   result.SpecularColor = color;
@@ -448,11 +445,11 @@ void ExtractBackground(vtkRenderer* renderer, const ExtractionOptions& options, 
   // VTK's default of 0 is visible only if the window has an alpha channel, so it counts as opaque.
   const double alpha = renderer->GetBackgroundAlpha() > 0.0 ? renderer->GetBackgroundAlpha() : 1.0;
   Background& background = scene.BackgroundColors;
-  background.First = glm::vec4(ToVector(renderer->GetBackground()), alpha);
+  background.First = glm::vec4(glm::make_vec3(renderer->GetBackground()), alpha);
   background.Second = background.First;
   if (renderer->GetGradientBackground())
   {
-    background.Second = glm::vec4(ToVector(renderer->GetBackground2()), alpha);
+    background.Second = glm::vec4(glm::make_vec3(renderer->GetBackground2()), alpha);
     background.Gradient = static_cast<Background::Gradients>(FindGradientMode(renderer, 0));
   }
   if (renderer->GetTexturedBackground())

@@ -4,6 +4,7 @@
 
 #include "Scene.h"
 #include "Surface.h"
+#include "Vectors.h"
 
 #include <algorithm>
 #include <limits>
@@ -25,16 +26,6 @@ glm::vec3 GetVertex(const Scene& scene, const TriangleClusters::Triangle& triang
 {
   const Surface& surface = scene.Surfaces[triangle.Surface];
   return surface.GetPoints(triangle.Triangle)[static_cast<std::size_t>(vertex)];
-}
-
-/// Inserts two zero bits after each of the lowest 21 bits.
-std::uint64_t SpreadBits(std::uint64_t x)
-{
-  x = (x | x << 32) & 0x001f00000000ffffu;
-  x = (x | x << 16) & 0x001f0000ff0000ffu;
-  x = (x | x << 8) & 0x100f00f00f00f00fu;
-  x = (x | x << 4) & 0x10c30c30c30c30c3u;
-  return (x | x << 2) & 0x1249249249249249u;
 }
 
 /// Morton code of a point of the unit cube; nearby points mostly have nearby codes.
