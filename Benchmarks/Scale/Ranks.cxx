@@ -31,6 +31,7 @@
 #include <cstdio>
 #include <cstring>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -339,8 +340,12 @@ void MeasureBaking(
     for (const RankResult& result : RunRanks(
            ranks, [&](int rank) { return Bake(set, rank, ranks); }, 1200))
     {
-      std::memcpy(&report, result.Value.data(), std::min(sizeof report, result.Value.size()));
-      values += result.Value.substr(std::min(sizeof report, result.Value.size()));
+      if (!result.HasReturned || result.Value.size() < sizeof report)
+      {
+        throw std::runtime_error(std::string("a rank of ") + name + " has failed");
+      }
+      std::memcpy(&report, result.Value.data(), sizeof report);
+      values += result.Value.substr(sizeof report);
       most = std::max(most, report.SceneBytes / report.WholeBytes);
       triangles = std::max(triangles, report.Primitives);
       whole = report.WholePrimitives;
@@ -350,8 +355,12 @@ void MeasureBaking(
       expected = values;
       continue;
     }
-    std::size_t differ = values.size() == expected.size() ? 0 : expected.size();
-    for (std::size_t i = 0; i < std::min(values.size(), expected.size()); i += sizeof(float))
+    if (values.size() != expected.size() || expected.empty())
+    {
+      throw std::runtime_error(std::string("ranks of ") + name + " lack values");
+    }
+    std::size_t differ = 0;
+    for (std::size_t i = 0; i < expected.size(); i += sizeof(float))
     {
       differ += values.compare(i, sizeof(float), expected, i, sizeof(float)) != 0;
     }

@@ -195,6 +195,7 @@ void vtkPenumbraIrradianceFilter::Execute(
       << " pieces, and the other pieces do not occlude it. Set their surfaces "
          "on input port 1, or use vtkPenumbraDistributedIrradianceFilter.");
   }
+  std::vector<std::string> warnings;
   if (auto* composite = vtkCompositeDataSet::GetData(inputs[0]))
   {
     const CompositeMesh blocks(composite);
@@ -206,22 +207,28 @@ void vtkPenumbraIrradianceFilter::Execute(
     vtkPointSet* joined = blocks.GetMerged();
     const auto baked = vtkSmartPointer<vtkPointSet>::Take(joined->NewInstance());
     baked->ShallowCopy(joined);
-    this->BakeOnto(joined, surroundings, baked);
+    warnings = this->BakeOnto(joined, surroundings, baked);
     blocks.Distribute(baked, vtkCompositeDataSet::SafeDownCast(output));
   }
   else
   {
     vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
     output->ShallowCopy(input);
-    this->BakeOnto(input, surroundings, vtkPointSet::SafeDownCast(output));
+    warnings = this->BakeOnto(input, surroundings, vtkPointSet::SafeDownCast(output));
   }
   for (int i = 0; i < this->Statistics->GetNumberOfArrays(); ++i)
   {
     output->GetFieldData()->AddArray(this->Statistics->GetAbstractArray(i));
   }
+  if (this->Distribution)
+  {
+    // All ranks have finished; none may fail after this.
+    this->Distribution->GetRanks().UniteSentences(warnings);
+  }
+  this->Warn(warnings);
 }
 
-void vtkPenumbraIrradianceFilter::BakeOnto(
+std::vector<std::string> vtkPenumbraIrradianceFilter::BakeOnto(
   vtkPointSet* input, vtkPolyData* surroundings, vtkPointSet* output)
 {
   BakeInputOptions options;
@@ -277,11 +284,6 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
   {
     warnings.push_back(DescribeOccluded(work.Baked, options.Ranks));
   }
-  if (options.Ranks)
-  {
-    options.Ranks->UniteSentences(warnings); // all ranks have finished
-  }
-  this->Warn(warnings);
   vtkDataSetAttributes* attributes = this->OnCells
     ? static_cast<vtkDataSetAttributes*>(output->GetCellData())
     : static_cast<vtkDataSetAttributes*>(output->GetPointData());
@@ -291,6 +293,7 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
       : CreateArray(mesh, work.Baked, size,
           this->Quantity == DIRECT_LIGHT ? "DirectLight" : "AmbientOcclusion", 1, 1.f));
   this->Report(work, size);
+  return warnings;
 }
 
 double vtkPenumbraIrradianceFilter::ComputeRadius(const Work& work) const

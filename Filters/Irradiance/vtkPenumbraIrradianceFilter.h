@@ -269,7 +269,8 @@ private:
 
   struct Work;
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs);
-  void BakeOnto(vtkPointSet* input, vtkPolyData* surroundings, vtkPointSet* output);
+  std::vector<std::string> BakeOnto(
+    vtkPointSet* input, vtkPolyData* surroundings, vtkPointSet* output);
   bool BakeOcclusion(Work& work);
   bool BakeIrradiance(Work& work);
   std::vector<std::pair<std::string, std::string>> ListSettings(); ///< that ranks must agree on

@@ -178,12 +178,16 @@ std::uint32_t DistributedOccluders::Exchange(
   }
   const bool isGathered =
     radius && !bounds.IsEmpty() && *radius >= glm::distance(bounds.Low, bounds.High);
-  if (isGathered && this->Ranks.IsFirst())
+  if (isGathered)
   {
-    this->Warn(
-      "Irradiance, and occlusion with a radius of the size of the scene, need the surfaces of all "
-      "ranks on each rank. This one received " +
-      std::to_string(this->Counts.SceneBytes) + " bytes of them.");
+    std::vector<double> received(1, static_cast<double>(this->Counts.SceneBytes));
+    this->Ranks.Sum(received);
+    if (this->Ranks.IsFirst())
+    {
+      this->Warn("Irradiance, and occlusion with a radius of the size of the scene, need the "
+                 "surfaces of all ranks on each rank. All together received " +
+        std::to_string(static_cast<long long>(received[0])) + " bytes of them.");
+    }
   }
   return first;
 }

@@ -104,6 +104,10 @@ void CellMarks::Add(const std::string& bits)
 
 void CellMarks::MarkToward(const Light& light, const CellMarks& from)
 {
+  if (std::all_of(from.Rows.begin(), from.Rows.end(), [](Row row) { return row == 0; }))
+  {
+    return; // nothing is lit
+  }
   const bool isDirectional = light.Kind == Light::Kinds::Directional;
   const glm::dvec3 toward =
     isDirectional ? -glm::dvec3(light.Direction) : this->Locate(glm::dvec3(light.Position));
