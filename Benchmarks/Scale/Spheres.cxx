@@ -13,7 +13,6 @@
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraRayCaster.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -82,7 +81,6 @@ void SetUp(vtkPenumbraRayCaster* caster, vtkRenderer* renderer)
   caster->SetAmbientOcclusionRadius(OcclusionRadius);
   caster->SetTolerance(Tolerance);
   caster->SetLightTolerance(Tolerance);
-  caster->SetIrradianceProvider(vtkNew<vtkPenumbraIrradianceCache>());
 }
 
 /// Returns the seconds of a frame of PyVista with the same points and view; 0 if it did not run.

@@ -191,7 +191,9 @@ void PixelSampler::Refine(SampledPixel& pixel)
   pixel.Result.Color = pixel.MeanOfFaces + glm::vec4(ComputeMeanOfSamples(pixel));
   const bool isBlended = pixel.Source == SampleSource::Layers && pixel.Textures.empty() &&
     !this->Pixel.Tracer.HasLayerOrder();
-  const float confidence = isBlended ? LayerConfidenceFactor : ConfidenceFactor;
+  const float confidence = isBlended                            ? LayerConfidenceFactor
+    : this->IsExactCostly && pixel.Source == SampleSource::Rays ? DenseConfidenceFactor
+                                                                : ConfidenceFactor;
   this->Pixel.SetErrors(confidence * static_cast<float>(std::sqrt(EstimateVariance(pixel))),
     std::max(pixel.MinimumError, pixel.Floor / static_cast<float>(total)), pixel.Result);
 }
