@@ -227,8 +227,9 @@ void DistributedScene::Exchange(Scene& scene, LightRays lightRays)
   this->Count(scene, bytes);
   if (needsAll && this->Ranks.IsFirst() && this->Ranks.GetCount() > 1)
   {
-    this->Warn("Ambient occlusion, indirect light and media need the surfaces of all ranks on "
-               "each rank, which received " +
+    this->Warn(
+      "Soft shadows, ambient occlusion, indirect light and media need the surfaces of all ranks on "
+      "each rank, which received " +
       std::to_string(this->Counts.SceneBytes) + " bytes of them.");
   }
 }

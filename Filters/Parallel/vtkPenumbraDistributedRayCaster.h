@@ -7,7 +7,7 @@
  * Each rank extracts the surfaces of its own data. The image is divided among the ranks: each renders
  * rectangles of which it has most primitives. It receives the triangles, spheres, tubes, lines, points and
  * instances of other ranks that camera rays of these rectangles may meet, with their colors, textures and
- * opacity. With shadows, it also receives what may be between them and the lights. With
+ * opacity. With hard shadows, it also receives what may be between them and the lights. With soft shadows,
  * ambient occlusion, indirect light or a medium, it receives all of them; one warning says how many bytes
  * these are. The first rank composes the image, and every rank gets its
  * update extent. Overlays and layers are those of the first rank.

@@ -102,8 +102,11 @@ void vtkPenumbraRayCaster::Internals::ExchangeScene(
   this->Distribution->GetRanks().Compare(view);
   this->DistributedOverlay = std::move(scene.OverlayImage);
   scene.OverlayImage = penumbra::Overlay();
-  const bool needsAll = self->GetAmbientOcclusion() || self->IndirectLight || this->Medium ||
-    (self->GeometryArrays && this->Constants.OcclusionArray);
+  const bool hasPenumbrae = self->GetShadows() &&
+    std::any_of(scene.Lights.begin(), scene.Lights.end(),
+      [](const penumbra::Light& light) { return light.CastsPenumbra(); });
+  const bool needsAll = hasPenumbrae || self->GetAmbientOcclusion() || self->IndirectLight ||
+    this->Medium || (self->GeometryArrays && this->Constants.OcclusionArray);
   using LightRays = penumbra::SceneDistribution::LightRays;
   this->Distribution->Exchange(scene,
     needsAll               ? LightRays::All

@@ -105,29 +105,6 @@ TEST(vtkPenumbraDistributedRayCaster, MatchesOneRankWithHardShadows)
   }
 }
 
-TEST(vtkPenumbraDistributedRayCaster, MatchesOneRankWithSoftShadows)
-{
-  for (const bool isPositional : { false, true })
-  {
-    for (const double size : { 0.02, 0.2, 1.0 })
-    {
-      SCOPED_TRACE(testing::Message() << isPositional << " " << size);
-      const Image image = ExpectSameViewsOnRanks(5, MakeCoarse, KeepActor, [=](Caster* caster) {
-        caster->ShadowsOn();
-        caster->SetTolerance(0.02);
-        caster->SetLightRadius(size);
-        caster->SetLightAngle(60.0 * size);
-        vtkLightCollection* const lights = caster->GetRenderer()->GetLights();
-        auto* light = vtkLight::SafeDownCast(lights->GetItemAsObject(0));
-        light->SetPositional(isPositional);
-        light->SetConeAngle(180.0);
-        light->SetPosition(3.0, 5.0, 1.0);
-      });
-      EXPECT_GT(GetNumber(image, "Statistics/Rays/Shadow"), 1e4);
-    }
-  }
-}
-
 TEST(vtkPenumbraDistributedRayCaster, ReceivesPartOfTheScene)
 {
   // Blocks side by side: a rank needs little more than its own.

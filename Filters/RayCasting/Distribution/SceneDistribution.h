@@ -28,7 +28,7 @@ public:
   enum class LightRays
   {
     None,
-    ToLights, ///< from visible points to lights
+    ToLights, ///< from visible points to lights without a size
     All
   };
 
