@@ -170,7 +170,8 @@ void CellMarks::MarkTowardFromCell(
   for (int at = 0; at < end; ++at)
   {
     const glm::dvec3 point = center + static_cast<double>(at) * step;
-    const double reach = 1.0 + divergence * (at + 0.5);
+    // Estimators of lights with a size also ask for surfaces at their borders.
+    const double reach = (spread > 0.0 ? 2.0 : 1.0) + divergence * (at + 0.5);
     const Range range = GetCells(point - reach, point + reach);
     if (range.IsEmpty())
     {
