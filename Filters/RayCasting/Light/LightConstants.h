@@ -50,6 +50,8 @@ constexpr double ProbeDistance = 2.0;
 /// A tile is scattered if more than this fraction of the pairs with a surface hit different sites. Measured:
 /// 0.84 for spheres with a diameter of 3 pixels, 0.48 for 6 pixels, 0.09 to 0.16 for the meshes at 1000x600.
 constexpr float ScatteredFraction = 0.6f;
+/// Number of pairs with a surface, of 16 in a tile, below which it is not scattered, such as the corner of a mesh.
+constexpr int FewestPairs = 8;
 /// Number of rays from each hit of a camera ray.
 constexpr std::uint32_t RaysOfLitSample = 2;
 

@@ -58,9 +58,10 @@ bool IsScattered(const CameraRayTracer& tracer, glm::ivec2 low, glm::ivec2 high,
   {
     for (int x = low.x; x < high.x; x += ProbedPixelStep)
     {
-      const OwenSobolSequence sequence(
-        MixBits(static_cast<std::uint32_t>(x) + MixBits(static_cast<std::uint32_t>(y))));
-      const bool isRow = x / ProbedPixelStep % 2 == 0;
+      const std::uint32_t seed =
+        MixBits(static_cast<std::uint32_t>(x) + MixBits(static_cast<std::uint32_t>(y)));
+      const OwenSobolSequence sequence(seed);
+      const bool isRow = (seed & 1u) != 0; // an edge must not meet the pairs of one direction only
       const glm::dvec2 step(isRow ? ProbeDistance : 0.0, isRow ? 0.0 : ProbeDistance);
       points[count++] = glm::dvec2(x, y) + glm::dvec2(sequence.At(0));
       points[count++] = glm::dvec2(x, y) + glm::dvec2(sequence.At(1)) + step;
@@ -71,7 +72,8 @@ bool IsScattered(const CameraRayTracer& tracer, glm::ivec2 low, glm::ivec2 high,
     }
   }
   trace();
-  return static_cast<float>(different) > ScatteredFraction * static_cast<float>(surfaces);
+  return surfaces >= FewestPairs &&
+    static_cast<float>(different) > ScatteredFraction * static_cast<float>(surfaces);
 }
 
 template <int N>

@@ -88,8 +88,13 @@ bool RefineTile(
 {
   const IntegrationSettings& settings = sampler.GetSettings();
   const bool isLit = !pixels.empty() && pixels.front()->Source == SampleSource::LitRays;
-  const double limit = Square<double>(settings.GetTileTolerance()) +
-    (isLit ? Square<double>(settings.Light->GetTolerance()) : 0.0);
+  // Samples show color and light together. Where light is to be more accurate than color, both are, so that the
+  // part of the error that is reported for light is at most sqrt(2) times too small.
+  const double lightTolerance = isLit ? settings.Light->GetTolerance() : 0.0;
+  const double colorTolerance = isLit
+    ? std::min<double>(settings.GetTileTolerance(), lightTolerance)
+    : settings.GetTileTolerance();
+  const double limit = Square<double>(colorTolerance) + Square<double>(lightTolerance);
   const double tileLimit = limit * count;
   const double pixelLimit = limit * Square<double>(MaximumPixelError);
   const int maximumSamples =
@@ -141,7 +146,7 @@ bool RefineTile(
   {
     pixel->Result.Error = static_cast<float>(std::sqrt(pooled.ComputeSquaredError(*pixel)));
     pixel->Result.LightError = isLit
-      ? static_cast<float>(settings.Light->GetTolerance() / std::sqrt(limit)) * pixel->Result.Error
+      ? static_cast<float>(lightTolerance / std::sqrt(limit)) * pixel->Result.Error
       : std::min(pixel->Result.LightError, pixel->Result.Error);
   }
   return !isEnded;

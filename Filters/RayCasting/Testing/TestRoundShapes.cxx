@@ -380,6 +380,24 @@ TEST(RoundShapes, AreOccludedWithinTheToleranceIfTheyAreSmall)
   }
 }
 
+TEST(RoundShapes, AreOccludedWithinTheLightToleranceIfItIsTheSmallerOne)
+{
+  RoundScene scene(MakeCells(MakeRandomCenters(60000, 5.0), {}));
+  scene.Caster->SetResolution(32, 32);
+  scene.Caster->SetPointRadius(0.03);
+  scene.Caster->AmbientOcclusionOn();
+  scene.Caster->SetAmbientOcclusionRadius(0.15);
+  scene.Caster->SetTolerance(0.2);
+  scene.Caster->SetLightTolerance(0.02);
+  const std::vector<double> image = scene.RenderRed();
+  scene.Caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+  scene.Caster->GetConstants().UniformSamples = 12;
+  for (const double error : CompareTiles(scene.RenderRed(), image))
+  {
+    EXPECT_LT(error, std::hypot(0.02, 0.02));
+  }
+}
+
 TEST(RoundShapes, HaveTheSameOcclusionForPartsAndAnyNumberOfThreads)
 {
   for (const int count : { 3000, 60000 })

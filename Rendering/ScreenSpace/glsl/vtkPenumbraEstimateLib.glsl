@@ -55,7 +55,7 @@ vec2 radiusInPixels(SurfacePoint point, vec2 direction)
   return pixelOffsetOnPlane(direction / mix(1.0, -point.position.z, perspective));
 }
 
-// Kernels define occlusionAt(), the mean over a number of points, 0 or more. Their loops test the
+// Kernels define occlusionAt(), the mean over a number of points, 1 or more. Their loops test the
 // number after each point: some drivers execute the body of a loop once more, without effect, if the
 // condition comes first. Their cost: Benchmarks/notes/ambient-occlusion.md.
 //VTK::Penumbra::QualityLib
@@ -86,8 +86,12 @@ float estimateAt(SurfacePoint point, int historyLength)
 {
   int count = pointCountAt(point.pixel, historyLength);
   usesSettledPoints = historyLength == settledHistory;
-  float estimate = occlusionAt(point, count);
-  return count > 0 ? clamp(estimate, 0.0, maximumSliceOcclusion) : 0.0;
+  float estimate = 0.0;
+  if (count > 0)
+  {
+    estimate = clamp(occlusionAt(point, count), 0.0, maximumSliceOcclusion);
+  }
+  return estimate;
 }
 
 // Returns the number of samples that estimateAt() averages.
