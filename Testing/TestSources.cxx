@@ -53,7 +53,7 @@ const std::map<std::string, int> LongFiles = {
   { "Filters/RayCasting/Light/LightSite.h", 180 },
   { "Filters/RayCasting/RayCasterInternals.h", 176 },
   { "Filters/RayCasting/Sampling/CameraRayTracer.h", 190 },
-  { "Filters/RayCasting/Tiles/ScreenTriangle.h", 200 },
+  { "Filters/RayCasting/Tiles/ScreenTriangle.h", 199 },
   { "Filters/RayTracing/Embree/RayScene.h", 175 },
   { "Filters/RayTracing/Embree/SliverTree.h", 197 },
   { "Filters/RayTracing/Shading/OwenSobolSequence.h", 203 },

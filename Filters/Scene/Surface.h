@@ -40,6 +40,7 @@ struct WholeSurface
 struct Surface
 {
   int ObjectId = 0; ///< index of the actor or data set, as in the array ObjectId
+  int Part = 0;     ///< 0: its polygons; others: its points, lines, edges or vertices
 
   std::vector<glm::vec3> Positions;
   std::vector<glm::uvec3> Triangles; ///< indices into Positions, each in range
@@ -103,9 +104,8 @@ struct Surface
   bool ScalarColoring = false; ///< colored by scalars; the default ambient occlusion is weaker
   /// If true, the triangles are expanded lines or points, which neither cast nor receive shadows.
   bool IsLineOrPoint = false;
-  /// Width of the edges of the surfaces with the same ObjectId, in pixels; 0 if this surface consists
-  /// of others. Directly behind edges, these surfaces show only through them: both together have the
-  /// opacity of the surface, as VTK draws edges by replacing colors.
+  /// Width of the edges of the surfaces with the same ObjectId, in pixels; 0: this one has no edges. Directly behind
+  /// edges, these surfaces show only through them: both together have the opacity of one, as in VTK.
   float EdgeWidth = 0.f;
   /// If true, the surface emits light and hides nothing: its color, multiplied by its opacity, is
   /// added to what is behind it.

@@ -22,7 +22,7 @@ void VisitMaterial(MaterialT& m, Bytes& bytes)
 template <typename SurfaceT, typename Bytes>
 void VisitPlainMembers(SurfaceT& s, Bytes& bytes)
 {
-  bytes(s.ObjectId, s.HasFlatEnds, s.NormalRule, s.TextureOnBackfaces, s.HasBackMaterial);
+  bytes(s.ObjectId, s.Part, s.HasFlatEnds, s.NormalRule, s.TextureOnBackfaces, s.HasBackMaterial);
   VisitMaterial(s.Front, bytes);
   VisitMaterial(s.Back, bytes);
   bytes(s.Backfaces, s.Frontfaces, s.ScalarColoring, s.IsLineOrPoint, s.EdgeWidth, s.IsAdditive,

@@ -117,6 +117,35 @@ TEST(vtkPenumbraDistributedRayCaster, ExchangesColorsAndOpacity)
     4, MakeCoarse, [](vtkActor* actor) { actor->GetProperty()->EdgeVisibilityOn(); }, UseDefaults);
 }
 
+TEST(vtkPenumbraDistributedRayCaster, ExchangesVerticesAndLinesAmongPolygons)
+{
+  const MakeData make = [](int rank, int ranks) {
+    vtkSmartPointer<vtkPolyData> piece = MakePiece(rank, ranks, 10);
+    piece->GetPointData()->Initialize(); // the new points have no normals
+    vtkNew<vtkCellArray> vertices;
+    vtkNew<vtkCellArray> lines;
+    for (int i = 48 * rank / ranks; i < 48 * (rank + 1) / ranks; ++i)
+    {
+      const double angle = 0.5 * (i % 6) + i / 6;
+      const vtkIdType point =
+        piece->GetPoints()->InsertNextPoint(std::cos(angle), std::sin(angle), 0.2 * (i % 6) - 0.5);
+      vertices->InsertNextCell(1, &point);
+      if (i % 3 != 0)
+      {
+        const vtkIdType ends[2] = { point - 1, point };
+        lines->InsertNextCell(2, ends);
+      }
+    }
+    piece->SetVerts(vertices);
+    piece->SetLines(lines);
+    return piece;
+  };
+  for (const int ranks : { 2, 4, 8 })
+  {
+    ExpectSameViewsOnRanks(ranks, make, KeepActor, UseDefaults);
+  }
+}
+
 TEST(vtkPenumbraDistributedRayCaster, ExchangesPointsLinesSpheresAndTubes)
 {
   for (const bool lines : { false, true })

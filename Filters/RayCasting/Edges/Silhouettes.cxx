@@ -40,8 +40,10 @@ void VisitCells(
   {
     std::swap(a, b);
   }
-  const int first = std::max(static_cast<int>(std::floor(a.x - margin)), 0);
-  const int last = std::min(static_cast<int>(std::floor(b.x + margin)), cells.x - 1);
+  const double from = std::floor(a.x - margin);
+  const double to = std::floor(b.x + margin);
+  const int first = static_cast<int>(std::max(from, 0.0));
+  const int last = static_cast<int>(std::min(to, cells.x - 1.0));
   const bool vertical = !(b.x > a.x); // on the line between two columns, the edge is in both
   const double slope = vertical ? 0.0 : (b.y - a.y) / (b.x - a.x);
   const double low = std::min(a.y, b.y);
@@ -50,7 +52,7 @@ void VisitCells(
   {
     double y0 = low;
     double y1 = high;
-    if (last > first && !vertical)
+    if (to > from && !vertical) // not only in these cells, so that the grid does not matter
     {
       const double u = a.y + slope * (column - margin - a.x);
       const double v = a.y + slope * (column + 1 + margin - a.x);

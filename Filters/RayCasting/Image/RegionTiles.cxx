@@ -290,7 +290,7 @@ void RegionTiles::UseEdges(int tile, const Use& use) const
   std::transform(indices, indices + count, std::back_inserter(withOutlines),
     [&](std::uint32_t i) { return this->Edges[i]; });
   const glm::dvec2 low(first);
-  const glm::dvec2 high = low + static_cast<double>(TileSide);
+  const glm::dvec2 high(last); // not beyond the image, as edges of meshes
   this->Outlines.Project(outlines, low, high, withOutlines);
   this->Instances.Project(instances, low, high, withOutlines);
   use(TileEdges{ withOutlines, nullptr, withOutlines.size(), false, hidden ? &*hidden : nullptr });

@@ -113,11 +113,8 @@ inline ScreenTriangle::ScreenTriangle(const std::array<glm::vec3, 3>& points, co
   }
 }
 
-/**
- * Calls visit(cell) for the cells of a grid that a convex polygon overlaps, enlarged by `margin`
- * pixels. The grid has `cells.x` by `cells.y` squares of side `size` and the lower left corner
- * `origin`.
- */
+/// Calls visit(cell) for the cells of a grid that a convex polygon overlaps, enlarged by `margin` pixels.
+/// The grid has `cells.x` by `cells.y` squares of side `size` and the lower left corner `origin`.
 template <typename Visit>
 void VisitCells(const ScreenTriangle& triangle, double margin, glm::dvec2 origin, double size,
   glm::ivec2 cells, const Visit& visit)
@@ -142,13 +139,15 @@ void VisitCells(const ScreenTriangle& triangle, double margin, glm::dvec2 origin
   {
     return;
   }
-  const glm::ivec2 first(glm::floor(glm::max(low - margin, 0.0)));
-  const glm::ivec2 last(glm::floor(glm::min(high + margin, glm::dvec2(cells) - 0.5)));
+  const glm::dvec2 from = glm::floor(low - margin);
+  const glm::dvec2 to = glm::floor(high + margin);
+  const glm::ivec2 first(glm::max(from, 0.0));
+  const glm::ivec2 last(glm::min(to, glm::dvec2(cells) - 1.0));
   for (int row = first.y; row <= last.y; ++row)
   {
     int begin = first.x;
     int end = last.x;
-    if (first.x < last.x && first.y < last.y)
+    if (from.x < to.x && from.y < to.y) // not only in these cells, so that the grid does not matter
     {
       // The part of the polygon between the lower and the upper side of the row.
       const double bottom = row - margin;

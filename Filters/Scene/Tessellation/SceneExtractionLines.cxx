@@ -148,6 +148,7 @@ private:
   {
     this->Result = Surface();
     this->Result.ObjectId = this->Item.ObjectId;
+    this->Result.Part = ++this->Parts;
     this->Result.Front = style.Single ? *style.Single : this->Attributes.Front;
     if (style.AreEdges)
     {
@@ -425,6 +426,7 @@ private:
   std::uint32_t LastEnd = None; ///< point at the last position of Result; None if it is none
   double MaximumSlope = 0.0;    ///< of polygons that their edges are in front of
   std::size_t InvalidRadii = 0;
+  int Parts = 0; ///< including those without segments, so that ranks number them alike
 };
 
 }
