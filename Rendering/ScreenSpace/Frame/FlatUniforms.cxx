@@ -88,7 +88,6 @@ void PassUniformsFlat(std::string& vertexShader, std::string& fragmentShader)
   std::string uniforms;
   std::string outputs;
   std::string inputs;
-  std::string values;
   for (const Uniform& uniform : FindUniforms(fragmentShader))
   {
     const std::size_t columns = (uniform.Components + 3) / 4;
@@ -115,8 +114,9 @@ void PassUniformsFlat(std::string& vertexShader, std::string& fragmentShader)
     }
     const std::string prefix = uniform.Type + " " + uniform.Name + ";";
     uniforms += "uniform " + prefix + "\n";
-    values += "  " + uniform.Name + " = " + uniform.Type + "(" + value + ");\n";
-    fragmentShader.replace(fragmentShader.find("uniform " + prefix), 8, "");
+    const std::string old = "uniform " + prefix;
+    fragmentShader.replace(fragmentShader.find(old), old.size(),
+      uniform.Type + " " + uniform.Name + " = " + uniform.Type + "(" + value + ");");
   }
   for (std::size_t input = 0; input < used.size(); ++input)
   {
@@ -128,7 +128,6 @@ void PassUniformsFlat(std::string& vertexShader, std::string& fragmentShader)
   InsertAfter(vertexShader, head, uniforms);
   InsertAfter(vertexShader, entry, outputs);
   InsertAfter(fragmentShader, head, inputs);
-  InsertAfter(fragmentShader, entry, values);
 }
 
 }

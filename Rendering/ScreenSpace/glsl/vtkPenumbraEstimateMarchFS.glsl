@@ -24,7 +24,7 @@ struct SliceSide
   vec2 normal; // projected normal of the surface, divided by its length
   vec2 sampled[stepsPerSide];
   vec2 viewDirection[stepsPerSide]; // unit vectors from the camera through the sampled points
-  bool continues[stepsPerSide]; // a sampled point belongs to the surface of the previous one
+  float continues[stepsPerSide]; // 1 if a sampled point belongs to the surface of the previous one
   // The length along a ray at which it meets a segment is a quotient. Its dividend depends on the
   // segment only: that between two sampled points, or the view ray behind one.
   float betweenPoints[stepsPerSide];
@@ -55,7 +55,8 @@ void connectPoints(inout SliceSide side)
   for (int i = 0; i < stepsPerSide; ++i)
   {
     vec2 sampled = side.sampled[i];
-    side.continues[i] = abs(sampled.y - previous.y) < maximumSlope * (sampled.x - previous.x);
+    side.continues[i] =
+      abs(sampled.y - previous.y) < maximumSlope * (sampled.x - previous.x) ? 1.0 : 0.0;
     side.betweenPoints[i] = abs(cross2(previous, sampled));
     side.alongView[i] = abs(cross2(side.viewDirection[i], sampled));
     previous = sampled;
@@ -99,7 +100,7 @@ float blockedProbability(SliceSide side, vec2 ray)
     float gap = height / max(across, 1e-6);
     // If the ray crosses a continuous surface, the intersection is that with the segment between two
     // points. Intersections count up to the radius, 1.
-    bool crosses = side.continues[i] && !wasBehind;
+    bool crosses = side.continues[i] > 0.5 && !wasBehind;
     bool isNear =
       crosses ? side.betweenPoints[i] < abs(height - previousHeight) : side.alongView[i] < across;
     wasBehind = gap > contactDistance;
