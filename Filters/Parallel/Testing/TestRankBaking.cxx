@@ -123,7 +123,10 @@ std::vector<float> GetValues(const Image& baked)
 {
   const std::string& bytes = baked.at("Values");
   std::vector<float> values(bytes.size() / sizeof(float));
-  std::memcpy(values.data(), bytes.data(), bytes.size());
+  if (!values.empty())
+  {
+    std::memcpy(values.data(), bytes.data(), bytes.size());
+  }
   return values;
 }
 
