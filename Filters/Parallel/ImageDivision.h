@@ -23,8 +23,8 @@ public:
   static constexpr int TileSide = 32;
 
   /// Divides an image of `size` pixels into about `partsPerRank` rectangles for each rank.
-  /// `counts` has the number of primitives of each rank in each tile, row by
-  /// row from the bottom. The division depends on nothing else.
+  /// `counts` has the number of primitives of each rank in each tile, row by row from the bottom.
+  /// The division depends on nothing else.
   ImageDivision(
     glm::ivec2 size, const std::vector<std::vector<std::uint32_t>>& counts, int partsPerRank);
 

@@ -8,6 +8,7 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -88,6 +89,28 @@ vtkSmartPointer<vtkPolyData> MakePiece(int rank, int ranks, int resolution)
   }
   append->Update();
   return append->GetOutput();
+}
+
+void AddVerticesAndLines(vtkPolyData* piece, int group, int count, double low)
+{
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkCellArray> lines;
+  vertices->DeepCopy(piece->GetVerts());
+  lines->DeepCopy(piece->GetLines());
+  for (int i = 0; i < count; ++i)
+  {
+    const double angle = 0.5 * i + group;
+    const vtkIdType point =
+      piece->GetPoints()->InsertNextPoint(std::cos(angle), std::sin(angle), 0.2 * i + low);
+    vertices->InsertNextCell(1, &point);
+    if (i % 3 != 0)
+    {
+      const vtkIdType ends[2] = { point - 1, point };
+      lines->InsertNextCell(2, ends);
+    }
+  }
+  piece->SetVerts(vertices);
+  piece->SetLines(lines);
 }
 
 std::string Pack(const std::map<std::string, std::string>& arrays)

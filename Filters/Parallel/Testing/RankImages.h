@@ -35,6 +35,10 @@ constexpr int Height = 110;
 /// Returns what rank `rank` of `ranks` has: strips of three surfaces that hide each other.
 vtkSmartPointer<vtkPolyData> MakePiece(int rank, int ranks, int resolution = 60);
 
+/// Adds vertices on an arc around `piece`, of which most are joined by lines.
+/// `group`: where the arc begins, in radians. `low`: z of the first one.
+void AddVerticesAndLines(vtkPolyData* piece, int group, int count, double low);
+
 inline vtkSmartPointer<vtkDataObject> MakeCoarse(int rank, int ranks)
 {
   return MakePiece(rank, ranks, 10);

@@ -190,24 +190,13 @@ vtkSmartPointer<vtkPolyData> MakePieceWithRoundShapes(int rank, int ranks)
   const vtkSmartPointer<vtkPolyData> mesh = MakeMeshPiece(rank, ranks);
   auto piece = vtkSmartPointer<vtkPolyData>::New();
   piece->DeepCopy(mesh);
-  vtkNew<vtkCellArray> vertices;
-  vtkNew<vtkCellArray> lines;
+  constexpr int count = 12;
+  AddVerticesAndLines(piece, rank, count, -1.0);
   auto* opacity = vtkDoubleArray::SafeDownCast(piece->GetPointData()->GetArray("Opacity"));
-  for (int i = 0; i < 12; ++i)
+  for (int i = 0; i < count; ++i)
   {
-    const double angle = 0.5 * i + rank;
-    const vtkIdType point =
-      piece->GetPoints()->InsertNextPoint(std::cos(angle), std::sin(angle), 0.2 * i - 1.0);
     opacity->InsertNextValue(1.0);
-    vertices->InsertNextCell(1, &point);
-    if (i % 3 != 0)
-    {
-      const vtkIdType ends[2] = { point - 1, point };
-      lines->InsertNextCell(2, ends);
-    }
   }
-  piece->SetVerts(vertices);
-  piece->SetLines(lines);
   return piece;
 }
 

@@ -122,22 +122,10 @@ TEST(vtkPenumbraDistributedRayCaster, ExchangesVerticesAndLinesAmongPolygons)
   const MakeData make = [](int rank, int ranks) {
     vtkSmartPointer<vtkPolyData> piece = MakePiece(rank, ranks, 10);
     piece->GetPointData()->Initialize(); // the new points have no normals
-    vtkNew<vtkCellArray> vertices;
-    vtkNew<vtkCellArray> lines;
-    for (int i = 48 * rank / ranks; i < 48 * (rank + 1) / ranks; ++i)
+    for (int group = 8 * rank / ranks; group < 8 * (rank + 1) / ranks; ++group)
     {
-      const double angle = 0.5 * (i % 6) + i / 6;
-      const vtkIdType point =
-        piece->GetPoints()->InsertNextPoint(std::cos(angle), std::sin(angle), 0.2 * (i % 6) - 0.5);
-      vertices->InsertNextCell(1, &point);
-      if (i % 3 != 0)
-      {
-        const vtkIdType ends[2] = { point - 1, point };
-        lines->InsertNextCell(2, ends);
-      }
+      AddVerticesAndLines(piece, group, 6, -0.5);
     }
-    piece->SetVerts(vertices);
-    piece->SetLines(lines);
     return piece;
   };
   for (const int ranks : { 2, 4, 8 })

@@ -60,8 +60,8 @@ void CompositeOverlay(const Overlay& overlay, vtkImageData* image);
 /**
  * Adds the arrays `Color`, `Rays` and `EstimatedError` to `image`, whose extent is set, with light
  * effects also `EstimatedLightError`, if the settings say so `AmbientOcclusion`, and composites
- * the overlay of the scene over `Color`. Adds
- * counts and errors to `totals`. Returns false if `progress` requested a stop.
+ * the overlay of the scene over `Color`. Adds counts and errors to `totals`.
+ * Returns false if `progress` requested a stop.
  */
 bool RenderImage(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   const RenderSettings& settings, const ProgressCallback& progress, vtkImageData* image,

@@ -39,11 +39,11 @@ constexpr std::size_t RasterizedEdgesPerPixel = 1;
 constexpr std::size_t MinimumEdgesOfRasterizedTile = 256;
 /// Number of edges in a pixel from which its samples are rasterized instead of covering it exactly.
 constexpr std::size_t MinimumRasterizedEdges = 5;
-/// The same at lines on translucent surfaces or translucent lines, in tiles with any number of
-/// edges. Exact coverage takes a
-/// ray through all layers for each face, and edges of surfaces are close to their faces, so that more
-/// rays search for intersections. Measured with `./penumbra benchmark accuracy --ordinary`: hills
-/// with edges take 13 times the time of plain ones with 3, 10 with 2, and no less with 1.
+/// The same at lines on translucent surfaces or translucent lines, in tiles with any number of edges.
+/// Exact coverage takes a ray through all layers for each face, and edges of surfaces are close to
+/// their faces, so that more rays search for intersections. Measured with
+/// `./penumbra benchmark accuracy --ordinary`: hills with edges take 13 times the time of plain ones with 3,
+/// 10 with 2, and no less with 1.
 constexpr std::size_t MinimumLayeredEdges = 2;
 /// Maximum number of the first samples of a rasterized pixel.
 constexpr int MaximumFirstRasterizedSamples = 256;
