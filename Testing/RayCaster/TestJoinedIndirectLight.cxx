@@ -315,3 +315,18 @@ TEST_F(JoinedIndirectLight, IsKeptOnRoughSurfaces)
   const vtkPenumbraIrradianceProvider* provider = this->Caster->GetIrradianceProvider();
   EXPECT_TRUE(provider->JoinsPixels(false, true));
 }
+
+// Like the other providers, which light points of surfaces only.
+TEST_F(JoinedIndirectLight, LeavesLinesAndPointsAsTheyAre)
+{
+  this->ShowSphereInSunlight();
+  this->Floor->SetRepresentationToPoints();
+  this->Floor->SetPointSize(5.0);
+  this->Sphere->SetRepresentationToWireframe();
+  this->Sphere->SetLineWidth(3.0);
+  this->Caster->IndirectLightOff();
+  const std::vector<float> direct = this->Render();
+  this->Caster->IndirectLightOn();
+  this->Join(true);
+  EXPECT_EQ(this->Render(), direct);
+}

@@ -283,7 +283,7 @@ ShadedHit Shading::ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long lo
     const glm::vec3 point = pointOfHit();
     rgb = this->ApplyLights(phong, shaded, point, shadowRays, penumbrae);
   }
-  if (!diffuseOnly && this->UniformLight != glm::vec3(0.f))
+  if (!diffuseOnly && this->UniformLight != glm::vec3(0.f) && !surface.IsLineOrPoint)
   {
     rgb += this->UniformLight * shaded.Reflectance;
   }

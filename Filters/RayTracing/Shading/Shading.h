@@ -59,7 +59,7 @@ public:
   /// this object. Null: none.
   void SetAttenuation(const LightAttenuation* attenuation) { this->Attenuation = attenuation; }
 
-  /// Sets light that Shade() and ShadeUntextured() add to every surface, times its diffuse reflectance. Default: 0.
+  /// Sets light that Shade() and ShadeUntextured() add, times the reflectance; not on lines and points. Default: 0.
   void SetUniformLight(glm::vec3 light) { this->UniformLight = light; }
   glm::vec3 GetUniformLight() const { return this->UniformLight; }
 
