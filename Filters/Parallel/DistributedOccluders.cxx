@@ -5,11 +5,9 @@
 #include "Messages/SurfaceMessages.h"
 #include "Messages/SurfacePart.h"
 #include "Scene.h"
-#include "SceneUnion.h"
 #include "Shadows/CellMarks.h"
 #include "Shadows/RankCells.h"
 #include "Surface.h"
-#include "UnitSelection.h"
 
 #include <algorithm>
 #include <utility>
@@ -125,27 +123,17 @@ std::vector<std::string> DistributedOccluders::ExchangeParts(const Scene& scene,
 {
   const auto ranks = static_cast<std::size_t>(this->Ranks.GetCount());
   const RankCells cells(bounds, this->Ranks.AllGather(needed.Write()));
-  SurfaceMessages messages(this->Ranks.GetCount());
-  for (std::uint32_t i = 0; i < united.size(); ++i)
+  std::vector<std::vector<Units>> selected;
+  for (const Surface& surface : scene.Surfaces)
   {
-    for (const std::uint32_t own : united[i].Own)
-    {
-      const Surface& surface = scene.Surfaces[own];
-      const std::vector<Units> selected = SelectUnits(surface, cells, ranks);
-      for (std::size_t rank = 0; rank < ranks; ++rank)
-      {
-        if (static_cast<int>(rank) != this->Ranks.GetRank())
-        {
-          messages.Add(i, surface, rank, selected[rank]);
-        }
-      }
-    }
+    selected.push_back(SelectUnits(surface, cells, ranks));
   }
-  const long long before = this->Ranks.GetReceivedBytes();
-  std::vector<std::string> received =
-    this->Ranks.Exchange([&](int rank) { return messages.Take(rank); });
-  this->Counts.SceneBytes = this->Ranks.GetReceivedBytes() - before;
-  return received;
+  return ExchangeSurfaces(
+    scene, united,
+    [&](std::uint32_t surface, int rank) {
+      return rank == this->Ranks.GetRank() ? Units() : selected[surface][rank];
+    },
+    this->Ranks, this->Counts);
 }
 
 std::uint32_t DistributedOccluders::Exchange(
@@ -155,16 +143,8 @@ std::uint32_t DistributedOccluders::Exchange(
   AxisAlignedBox bounds;
   for (const UnitedSurface& surface : united)
   {
-    this->Counts.WholePrimitives += static_cast<long long>(surface.Count);
     bounds.Add(surface.Whole->DrawnBounds);
   }
-  std::vector<double> bytes(1, 0.0);
-  for (const Surface& surface : scene.Surfaces)
-  {
-    bytes[0] += static_cast<double>(CountBytes(surface));
-  }
-  this->Ranks.Sum(bytes);
-  this->Counts.WholeBytes = static_cast<long long>(bytes[0]);
   std::uint32_t first = 0;
   if (!bounds.IsEmpty())
   {
@@ -172,10 +152,7 @@ std::uint32_t DistributedOccluders::Exchange(
     first = Assemble(united, this->ExchangeParts(scene, united, bounds, needed),
       static_cast<std::size_t>(this->Ranks.GetRank()), scene);
   }
-  for (const Surface& surface : scene.Surfaces)
-  {
-    this->Counts.Primitives += static_cast<long long>(surface.GetNumberOfPrimitives());
-  }
+  CountPrimitives(scene, this->Counts);
   const bool isGathered =
     radius && !bounds.IsEmpty() && *radius >= glm::distance(bounds.Low, bounds.High);
   if (isGathered)

@@ -6,8 +6,8 @@
 #define penumbra_DistributedOccluders_h
 
 #include "Distribution/OccluderDistribution.h"
-#include "Messages/ExchangeCounts.h"
 #include "Messages/RankGroup.h"
+#include "SurfaceExchange.h"
 
 #include <cstdint>
 #include <functional>
@@ -18,9 +18,7 @@
 namespace penumbra
 {
 
-struct AxisAlignedBox;
 class CellMarks;
-struct UnitedSurface;
 
 class DistributedOccluders final : public OccluderDistribution
 {
@@ -36,6 +34,7 @@ public:
   const ExchangeCounts& GetCounts() const { return this->Counts; }
 
 private:
+  /// `needed` marks what this rank needs, in the bounds of the whole scene.
   std::vector<std::string> ExchangeParts(const Scene& scene,
     const std::vector<UnitedSurface>& united, const AxisAlignedBox& bounds,
     const CellMarks& needed);

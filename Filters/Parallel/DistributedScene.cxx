@@ -8,10 +8,8 @@
 #include "Messages/SurfaceMessages.h"
 #include "Messages/SurfacePart.h"
 #include "Scene.h"
-#include "SceneUnion.h"
 #include "Shadows/CellMarks.h"
 #include "Shadows/RankCells.h"
-#include "UnitSelection.h"
 #include "UnitTiles.h"
 
 #include "vtkImageData.h"
@@ -131,21 +129,6 @@ std::vector<Surface> Assemble(const std::vector<UnitedSurface>& united, Received
   return surfaces;
 }
 
-/// Returns the surface that each surface of this rank is a part of.
-std::vector<std::uint32_t> FindUnited(
-  const std::vector<UnitedSurface>& united, std::size_t surfaces)
-{
-  std::vector<std::uint32_t> result(surfaces);
-  for (std::uint32_t i = 0; i < united.size(); ++i)
-  {
-    for (const std::uint32_t own : united[i].Own)
-    {
-      result[own] = i;
-    }
-  }
-  return result;
-}
-
 }
 
 DistributedScene::DistributedScene(
@@ -186,11 +169,9 @@ void DistributedScene::Exchange(Scene& scene, LightRays lightRays)
 {
   std::vector<UnitedSurface> united = UniteSurfaces(scene, this->Ranks);
   FindDenseSurfaces(scene, this->Ranks, united);
-  const std::vector<std::uint32_t> unitedOf = FindUnited(united, scene.Surfaces.size());
   AxisAlignedBox bounds;
   for (const UnitedSurface& surface : united)
   {
-    this->Counts.WholePrimitives += static_cast<long long>(surface.Count);
     bounds.Add(surface.Whole->DrawnBounds);
   }
   const bool needsAll = lightRays == LightRays::All;
@@ -203,48 +184,22 @@ void DistributedScene::Exchange(Scene& scene, LightRays lightRays)
   {
     selected = this->Select(scene, division, lightRays, bounds);
   }
-  long long bytes = 0;
-  SurfaceMessages messages(this->Ranks.GetCount());
-  for (std::size_t i = 0; i < scene.Surfaces.size(); ++i)
-  {
-    Surface& surface = scene.Surfaces[i];
-    bytes += static_cast<long long>(CountBytes(surface));
-    const Units all = sendsAll ? ListAllUnits(surface) : Units();
-    for (std::size_t rank = 0; rank < ranks; ++rank)
-    {
-      messages.Add(unitedOf[i], surface, rank, sendsAll ? all : selected[i][rank]);
-    }
-    surface = Surface(); // frees the memory
-    if (!sendsAll)
-    {
-      selected[i] = std::vector<Units>();
-    }
-  }
-  const long long before = this->Ranks.GetReceivedBytes();
-  ReceivedSurfaces received(this->Ranks.Exchange([&](int rank) { return messages.Take(rank); }));
-  this->Counts.SceneBytes = this->Ranks.GetReceivedBytes() - before;
+  ReceivedSurfaces received(ExchangeSurfaces(
+    scene, united,
+    [&](std::uint32_t surface, int rank) {
+      return sendsAll ? ListAllUnits(scene.Surfaces[surface]) : selected[surface][rank];
+    },
+    this->Ranks, this->Counts));
+  selected.clear();
+  scene.Surfaces.clear(); // frees the memory
   scene.Surfaces = Assemble(united, received);
-  this->Count(scene, bytes);
+  CountPrimitives(scene, this->Counts);
   if (needsAll && this->Ranks.IsFirst() && this->Ranks.GetCount() > 1)
   {
     this->Warn(
       "Soft shadows, ambient occlusion, indirect light and media need the surfaces of all ranks on "
       "each rank, which received " +
       std::to_string(this->Counts.SceneBytes) + " bytes of them.");
-  }
-}
-
-void DistributedScene::Count(const Scene& scene, long long bytes)
-{
-  ByteWriter own;
-  own.Add(bytes);
-  for (const std::string& message : this->Ranks.AllGather(own.Take()))
-  {
-    this->Counts.WholeBytes += ByteReader(message).Get<long long>();
-  }
-  for (const Surface& surface : scene.Surfaces)
-  {
-    this->Counts.Primitives += static_cast<long long>(surface.GetNumberOfPrimitives());
   }
 }
 

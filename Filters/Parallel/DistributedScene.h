@@ -6,8 +6,8 @@
 #define penumbra_DistributedScene_h
 
 #include "Distribution/SceneDistribution.h"
-#include "Messages/ExchangeCounts.h"
 #include "Messages/RankGroup.h"
+#include "SurfaceExchange.h"
 
 #include <cstdint>
 #include <functional>
@@ -18,7 +18,6 @@ namespace penumbra
 {
 
 class ImageDivision;
-struct AxisAlignedBox;
 
 class DistributedScene final : public SceneDistribution
 {
@@ -40,10 +39,8 @@ public:
 private:
   /// Returns the units of each surface of this rank that each rank needs, unless for LightRays::All. `bounds`
   /// are those of the whole scene.
-  std::vector<std::vector<std::vector<std::uint32_t>>> Select(const Scene& scene,
-    const ImageDivision& division, LightRays lightRays, const AxisAlignedBox& bounds);
-  /// Counts the primitives of this rank and the bytes of all surfaces, of which `bytes` were this rank's.
-  void Count(const Scene& scene, long long bytes);
+  std::vector<std::vector<Units>> Select(const Scene& scene, const ImageDivision& division,
+    LightRays lightRays, const AxisAlignedBox& bounds);
 
   RankGroup Ranks;
   std::function<void(const std::string&)> Warn;

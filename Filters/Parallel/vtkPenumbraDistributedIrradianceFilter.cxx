@@ -3,7 +3,6 @@
 #include "vtkPenumbraDistributedIrradianceFilter.h"
 
 #include "DistributedOccluders.h"
-#include "Statistics/Statistics.h"
 
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
@@ -33,14 +32,10 @@ int vtkPenumbraDistributedIrradianceFilter::RequestData(
   this->SetDistribution(&occluders);
   const int result = this->Superclass::RequestData(request, inputs, outputs);
   this->SetDistribution(nullptr);
-  const penumbra::ExchangeCounts& counts = occluders.GetCounts();
   vtkDataObject* output = vtkDataObject::GetData(outputs);
   for (vtkFieldData* fields : { this->GetStatistics(), output->GetFieldData() })
   {
-    penumbra::AddStatistic(fields, "Exchange/SceneBytes", counts.SceneBytes);
-    penumbra::AddStatistic(fields, "Exchange/WholeBytes", counts.WholeBytes);
-    penumbra::AddStatistic(fields, "Exchange/Primitives", counts.Primitives);
-    penumbra::AddStatistic(fields, "Exchange/WholePrimitives", counts.WholePrimitives);
+    penumbra::AddStatistics(occluders.GetCounts(), fields);
   }
   return result;
 }

@@ -54,10 +54,7 @@ int vtkPenumbraDistributedRayCaster::RequestData(
   vtkImageData* image = vtkImageData::GetData(outputs);
   for (vtkFieldData* fields : { this->GetStatistics(), image->GetFieldData() })
   {
-    penumbra::AddStatistic(fields, "Exchange/SceneBytes", counts.SceneBytes);
-    penumbra::AddStatistic(fields, "Exchange/WholeBytes", counts.WholeBytes);
-    penumbra::AddStatistic(fields, "Exchange/Primitives", counts.Primitives);
-    penumbra::AddStatistic(fields, "Exchange/WholePrimitives", counts.WholePrimitives);
+    penumbra::AddStatistics(counts, fields);
     penumbra::AddStatistic(fields, "Exchange/PixelBytes", counts.PixelBytes);
     penumbra::AddStatistic(fields, "Exchange/Rays", counts.Rays);
   }

@@ -19,7 +19,6 @@ class RayScene;
 /// Levels alternate between the centers of the squares of a grid and the grid of half the stride.
 /// Strides are in pixels.
 constexpr int CoarsestStride = 128;
-constexpr int FinestStride = 2;
 constexpr int ImageLevels = 13;
 
 /// Returns the distance in pixels between the candidates of a level.

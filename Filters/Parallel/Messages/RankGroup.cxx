@@ -4,6 +4,7 @@
 
 #include "ByteStream.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkMultiProcessController.h"
 #include "vtkType.h"
 
@@ -143,22 +144,18 @@ void RankGroup::UniteBounds(double bounds[6])
 {
   ByteWriter own;
   own.Add(std::vector<double>(bounds, bounds + 6));
+  vtkBoundingBox box;
   for (const std::string& message : this->AllGather(own.Take()))
   {
     const auto other = ByteReader(message).Get<std::vector<double>>();
-    if (!(other[0] <= other[1]))
+    if (vtkBoundingBox::IsValid(other.data()))
     {
-      continue;
+      box.AddBounds(other.data());
     }
-    if (!(bounds[0] <= bounds[1]))
-    {
-      std::copy(other.begin(), other.end(), bounds);
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      bounds[2 * axis] = std::min(bounds[2 * axis], other[2 * axis]);
-      bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], other[2 * axis + 1]);
-    }
+  }
+  if (box.IsValid())
+  {
+    box.GetBounds(bounds);
   }
 }
 

@@ -9,33 +9,27 @@
 namespace penumbra
 {
 
-SurfaceMessages::SurfaceMessages(int ranks)
-  : Textures(static_cast<std::size_t>(ranks)),
-    Parts(static_cast<std::size_t>(ranks))
-{
-}
-
-void SurfaceMessages::Add(std::uint32_t index, const Surface& surface, std::size_t rank,
-  const std::vector<std::uint32_t>& units)
+void SurfaceMessage::Add(
+  std::uint32_t index, const Surface& surface, const std::vector<std::uint32_t>& units)
 {
   if (!units.empty())
   {
-    CollectTextures(surface, this->Textures[rank]);
-    this->Parts[rank].Add(index);
-    AddPart(surface, units, this->Parts[rank]);
+    CollectTextures(surface, this->Textures);
+    this->Parts.Add(index);
+    AddPart(surface, units, this->Parts);
   }
 }
 
-std::string SurfaceMessages::Take(int rank)
+std::string SurfaceMessage::Take()
 {
   ByteWriter textures;
-  textures.Add(static_cast<std::uint64_t>(this->Textures[rank].size()));
-  for (const auto& [hash, texture] : this->Textures[rank])
+  textures.Add(static_cast<std::uint64_t>(this->Textures.size()));
+  for (const auto& [hash, texture] : this->Textures)
   {
     textures.Add(hash);
     AddTexture(*texture, textures);
   }
-  return textures.Take() + this->Parts[rank].Take();
+  return textures.Take() + this->Parts.Take();
 }
 
 ReceivedSurfaces::ReceivedSurfaces(std::vector<std::string> messages)

@@ -17,22 +17,19 @@ namespace penumbra
 
 struct Surface;
 
-/// Messages to all ranks.
-class SurfaceMessages
+/// A message to a rank.
+class SurfaceMessage
 {
 public:
-  explicit SurfaceMessages(int ranks);
+  /// Adds the part of a surface that has these units. `index` is the index of the surface that it is a
+  /// part of, the same on all ranks.
+  void Add(std::uint32_t index, const Surface& surface, const std::vector<std::uint32_t>& units);
 
-  /// Adds the part of a surface that has these units to the message for a rank. `index` is the index of the
-  /// surface that it is a part of, the same on all ranks.
-  void Add(std::uint32_t index, const Surface& surface, std::size_t rank,
-    const std::vector<std::uint32_t>& units);
-
-  std::string Take(int rank);
+  std::string Take();
 
 private:
-  std::vector<TextureMap> Textures;
-  std::vector<ByteWriter> Parts;
+  TextureMap Textures;
+  ByteWriter Parts;
 };
 
 /// Messages from all ranks.

@@ -30,13 +30,10 @@ public:
   /// true if the image has changed.
   bool Continue(WorkLimit* limit);
 
-  /// Returns true if there is an image: after the first round.
-  bool HasImage() const { return this->Round > 0; }
-
   /// Returns true if the tolerance is met, or if no pixel may get more rays.
   bool IsComplete() const { return this->Complete; }
 
-  /// Fills `means` with the occlusion of the points: 0 open, 1 blocked. Requires HasImage().
+  /// Fills `means` with the occlusion of the points: 0 open, 1 blocked. Requires a finished round.
   void CopyTo(std::vector<float>& means) const;
 
   /// Estimated RMSE of the worst tile, and of the whole image.
