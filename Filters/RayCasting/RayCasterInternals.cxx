@@ -15,6 +15,8 @@
 
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
+#include "vtkRenderPass.h"
+#include "vtkRenderer.h"
 
 #include <algorithm>
 #include <chrono>
@@ -33,6 +35,15 @@ void RequireUsable(const penumbra::Scene& scene)
       "The camera is not usable: position, focal point, view up, view angle and "
       "parallel scale must be finite.");
   }
+}
+
+/// Returns whether the pass of a renderer is ignored although its effects are not computed by rays.
+/// Effects of Penumbra's passes are ambient occlusion and a medium.
+bool IsIgnored(vtkRenderPass* pass, bool computesEffects)
+{
+  const bool hasEffects =
+    pass->IsA("RendererCameraPass") || pass->IsA("vtkPenumbraScreenSpacePass");
+  return !pass->IsA("vtkPenumbraRayCastPass") && !(hasEffects && computesEffects);
 }
 
 }
@@ -237,6 +248,11 @@ void vtkPenumbraRayCaster::Internals::WarnOfScene(
   if (this->FindOcclusion(self).OfRenderer)
   {
     penumbra::WarnFeature(penumbra::Feature::RendererOcclusion, "", scene.Warnings);
+  }
+  vtkRenderPass* const pass = this->Renderer ? this->Renderer->GetPass() : nullptr;
+  if (pass && IsIgnored(pass, self->GetAmbientOcclusion() || this->Medium))
+  {
+    penumbra::WarnFeature(penumbra::Feature::RenderPass, "", scene.Warnings);
   }
   if (self->GetShadows())
   {

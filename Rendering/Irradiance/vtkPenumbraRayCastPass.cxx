@@ -8,13 +8,11 @@
 #include "Frame/OpenGLFunctions.h"
 #include "Import/SceneModificationTime.h"
 
-#include "vtkCameraPass.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraRayCaster.h"
@@ -100,12 +98,7 @@ vtkPenumbraRayCastPass::vtkPenumbraRayCastPass()
   : Implementation(std::make_unique<Internals>())
 {
   this->SetRayCaster(nullptr);
-  vtkNew<vtkOpaquePass> opaque;
-  vtkNew<penumbra::RendererStepsPass> steps;
-  steps->SetOpaquePass(opaque);
-  vtkNew<vtkCameraPass> camera;
-  camera->SetDelegatePass(steps);
-  this->SetDelegatePass(camera);
+  this->SetDelegatePass(vtkNew<penumbra::RendererCameraPass>());
 }
 
 vtkPenumbraRayCastPass::~vtkPenumbraRayCastPass() = default;

@@ -227,7 +227,9 @@ const std::vector<FeatureRow>& GetFeatureTable()
       "Layers are always sorted exactly.", "" },
     { Feature::HiddenLineRemoval, Drawn, "vtkRenderer: UseHiddenLineRemoval", "", "" },
     { Feature::RenderPass, Refused, "vtkRenderer: Pass",
-      "The render pass of the renderer is ignored.", "Render with OpenGL." },
+      "The render pass of the renderer is ignored.",
+      "Render with OpenGL; instead of Penumbra's passes, set AmbientOcclusion or Medium of "
+      "vtkPenumbraRayCaster." },
     { Feature::RendererOcclusion, Approximated, "vtkRenderer: UseSSAO, SSAORadius",
       "Screen-space ambient occlusion of the renderer is replaced by ray-cast ambient occlusion of "
       "the same radius.",

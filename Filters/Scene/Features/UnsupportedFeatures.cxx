@@ -8,8 +8,6 @@
 #include "vtkMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkProperty.h"
-#include "vtkRenderPass.h"
-#include "vtkRenderer.h"
 #include "vtkSelection.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
@@ -112,18 +110,6 @@ void WarnUnsupportedActor(
   {
     WarnFeature(Feature::DerivedMappers, name + " (" + mapper->GetClassName() + ")", warnings);
   }
-}
-
-void WarnUnsupportedRenderer(vtkRenderer* renderer, std::vector<std::string>& warnings)
-{
-  const auto warn = [&](bool isUsed, Feature feature) {
-    if (isUsed)
-    {
-      WarnFeature(feature, "", warnings);
-    }
-  };
-  vtkRenderPass* const pass = renderer->GetPass();
-  warn(pass && !pass->IsA("vtkPenumbraRayCastPass"), Feature::RenderPass);
 }
 
 }

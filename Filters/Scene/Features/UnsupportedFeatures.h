@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Adds a warning for each feature of an actor or a renderer that the ray caster does not support.
+// Adds a warning for each feature of an actor that the ray caster does not support.
 #ifndef penumbra_UnsupportedFeatures_h
 #define penumbra_UnsupportedFeatures_h
 
@@ -9,14 +9,12 @@
 #include <vector>
 
 class vtkActor;
-class vtkRenderer;
 
 namespace penumbra
 {
 
 void WarnUnsupportedActor(
   vtkActor* actor, const std::string& name, std::vector<std::string>& warnings);
-void WarnUnsupportedRenderer(vtkRenderer* renderer, std::vector<std::string>& warnings);
 
 }
 #endif

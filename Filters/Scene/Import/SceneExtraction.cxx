@@ -6,7 +6,6 @@
 #include "CollectionItems.h"
 #include "DepthOffsets.h"
 #include "Features/SceneFeatures.h"
-#include "Features/UnsupportedFeatures.h"
 #include "Scene.h"
 #include "SceneExtractionActors.h"
 #include "SceneExtractionAxes.h"
@@ -318,11 +317,10 @@ void ReplaceSurfaces(ReadProp& prop, Scene& next, PropRecord& record, Scene& sce
   record = std::move(prop.Record);
 }
 
-/// Adds the 2-D props, and the warnings about the renderer and its props.
+/// Adds the 2-D props, and the warnings about the props.
 void FinishScene(
   vtkRenderer* renderer, const ExtractionOptions& options, const SceneRecord& record, Scene& scene)
 {
-  WarnUnsupportedRenderer(renderer, scene.Warnings);
   for (const PropRecord& prop : record.Props)
   {
     scene.Warnings.insert(scene.Warnings.end(), prop.Warnings.begin(), prop.Warnings.end());

@@ -5,7 +5,10 @@
 // caster. Frames are rendered until the pass says that the image is complete, however many that takes.
 #include "vtkPenumbraRayCastPass.h"
 
+#include "vtkPenumbraLightShaftPass.h"
+#include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraTemporalSSAOPass.h"
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
@@ -15,6 +18,7 @@
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkLightsPass.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -81,6 +85,16 @@ void SetUpScene(vtkRenderer* renderer)
   renderer->ResetCameraClippingRange();
 }
 
+void CollectWarnings(vtkObject* object, std::vector<std::string>& warnings)
+{
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetCallback([](vtkObject*, unsigned long, void* all, void* text) {
+    static_cast<std::vector<std::string>*>(all)->push_back(static_cast<char*>(text));
+  });
+  observer->SetClientData(&warnings);
+  object->AddObserver(vtkCommand::WarningEvent, observer);
+}
+
 void Configure(vtkPenumbraRayCaster* caster)
 {
   caster->ShadowsOn();
@@ -112,12 +126,7 @@ protected:
     this->Window->SetSize(Width, Height);
     this->Window->AddRenderer(this->Renderer);
     this->Pass->SetTimeLimit(0.005);
-    vtkNew<vtkCallbackCommand> observer;
-    observer->SetCallback([](vtkObject*, unsigned long, void* warnings, void* text) {
-      static_cast<std::vector<std::string>*>(warnings)->push_back(static_cast<char*>(text));
-    });
-    observer->SetClientData(&this->Warnings);
-    this->Pass->AddObserver(vtkCommand::WarningEvent, observer);
+    CollectWarnings(this->Pass, this->Warnings);
   }
 
   void TearDown() override { this->Renderer->SetPass(nullptr); }
@@ -346,6 +355,36 @@ TEST_F(RayCastPass, DrawsSceneInStereoAndDuringSelection)
   EXPECT_EQ(this->Warnings.size(), 1u);
   const Bytes pixels = this->GetPixels();
   EXPECT_GT(*std::max_element(pixels.begin(), pixels.end()), 150);
+}
+
+TEST(RayCaster, WarnsOfPassesUnlessItComputesTheirEffects)
+{
+  const auto countWarnings = [](const auto& addPass, bool occlusion, bool medium) {
+    vtkNew<vtkRenderer> renderer;
+    SetUpScene(renderer);
+    addPass(renderer.Get());
+    vtkNew<vtkPenumbraRayCaster> caster;
+    caster->SetRenderer(renderer);
+    caster->SetResolution(8, 6);
+    caster->SetTolerance(1.0);
+    caster->SetAmbientOcclusion(occlusion);
+    caster->SetMedium(medium ? vtkNew<vtkPenumbraMedium>().Get() : nullptr);
+    std::vector<std::string> warnings;
+    CollectWarnings(caster, warnings);
+    caster->Update();
+    return warnings.size();
+  };
+  const auto occlusion = [](vtkRenderer* renderer) { vtkPenumbraTemporalSSAOPass::AddTo(renderer); };
+  const auto shafts = [](vtkRenderer* renderer) { vtkPenumbraLightShaftPass::AddTo(renderer); };
+  const auto outermost = [](vtkRenderer* renderer) {
+    renderer->SetPass(vtkNew<vtkPenumbraTemporalSSAOPass>());
+  };
+  const auto other = [](vtkRenderer* renderer) { renderer->SetPass(vtkNew<vtkLightsPass>()); };
+  EXPECT_EQ(countWarnings(occlusion, false, false), 1u);
+  EXPECT_EQ(countWarnings(occlusion, true, false), 0u);
+  EXPECT_EQ(countWarnings(shafts, false, true), 0u);
+  EXPECT_EQ(countWarnings(outermost, true, false), 0u);
+  EXPECT_EQ(countWarnings(other, true, true), 1u);
 }
 
 TEST_F(RayCastPass, RejectsInvalidTimeLimits)

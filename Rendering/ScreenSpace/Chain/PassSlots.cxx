@@ -4,7 +4,6 @@
 
 #include "RendererStepsPass.h"
 
-#include "vtkCameraPass.h"
 #include "vtkImageProcessingPass.h"
 #include "vtkNew.h"
 #include "vtkOpaquePass.h"
@@ -24,12 +23,11 @@ namespace penumbra
 namespace
 {
 
-/// Returns the render steps made by EnsurePassSlots(), if `pass` is the camera pass that contains
-/// them.
+/// Returns the render steps made by EnsurePassSlots(), if `pass` contains them.
 RendererStepsPass* FindRenderSteps(vtkRenderPass* pass)
 {
-  auto* camera = vtkCameraPass::SafeDownCast(pass);
-  return camera ? dynamic_cast<RendererStepsPass*>(camera->GetDelegatePass()) : nullptr;
+  auto* camera = RendererCameraPass::SafeDownCast(pass);
+  return camera ? camera->GetSteps() : nullptr;
 }
 
 /// Returns the slot inside the pass of a slot.
@@ -91,12 +89,7 @@ std::vector<PassSlot> EnsurePassSlots(vtkRenderer* renderer)
   std::vector<PassSlot> slots = FindPassSlots(renderer);
   if (!slots.back().Pass && !slots.back().OpaqueOnly)
   {
-    vtkNew<vtkOpaquePass> opaque;
-    vtkNew<RendererStepsPass> rendererSteps;
-    rendererSteps->SetOpaquePass(opaque);
-    vtkNew<vtkCameraPass> camera;
-    camera->SetDelegatePass(rendererSteps);
-    slots.back().Set(camera);
+    slots.back().Set(vtkNew<RendererCameraPass>());
     slots = FindPassSlots(renderer);
   }
   return slots;

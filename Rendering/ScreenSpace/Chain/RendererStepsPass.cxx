@@ -6,6 +6,7 @@
 #include "vtkHiddenLineRemovalPass.h"
 #include "vtkLightsPass.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpaquePass.h"
 #include "vtkOpenGLFXAAFilter.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkProp.h"
@@ -17,6 +18,7 @@ namespace penumbra
 {
 
 vtkStandardNewMacro(RendererStepsPass);
+vtkStandardNewMacro(RendererCameraPass);
 
 RendererStepsPass::RendererStepsPass()
   : LightsPass(vtkSmartPointer<vtkLightsPass>::New()),
@@ -99,6 +101,12 @@ void RendererStepsPass::ReleaseGraphicsResources(vtkWindow* window)
     this->OpaquePass->ReleaseGraphicsResources(window);
   }
   this->FXAAFilter->ReleaseGraphicsResources();
+}
+
+RendererCameraPass::RendererCameraPass()
+{
+  this->Steps->SetOpaquePass(vtkNew<vtkOpaquePass>());
+  this->SetDelegatePass(this->Steps);
 }
 
 }

@@ -6,6 +6,8 @@
 #ifndef penumbra_RendererStepsPass_h
 #define penumbra_RendererStepsPass_h
 
+#include "vtkCameraPass.h"
+#include "vtkNew.h"
 #include "vtkOpenGLFXAAFilter.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
@@ -35,6 +37,22 @@ private:
   vtkSmartPointer<vtkOpenGLFXAAFilter> FXAAFilter;
   bool WarnedOfShadows = false;
   bool WarnedOfOcclusion = false;
+};
+
+/// Camera pass of a renderer without other passes: it delegates to the render steps. Its class name tells
+/// vtkPenumbraRayCaster, which does not know this module, that the pass of a renderer is Penumbra's.
+class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT RendererCameraPass : public vtkCameraPass
+{
+public:
+  static RendererCameraPass* New();
+  vtkTypeMacro(RendererCameraPass, vtkCameraPass);
+
+  RendererStepsPass* GetSteps() { return this->Steps; }
+
+private:
+  RendererCameraPass();
+
+  vtkNew<RendererStepsPass> Steps; ///< of opaque props by vtkOpaquePass, until this is replaced
 };
 
 }
