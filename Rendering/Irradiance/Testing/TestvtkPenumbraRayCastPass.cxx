@@ -374,7 +374,8 @@ TEST(RayCaster, WarnsOfPassesUnlessItComputesTheirEffects)
     caster->Update();
     return warnings.size();
   };
-  const auto occlusion = [](vtkRenderer* renderer) { vtkPenumbraTemporalSSAOPass::AddTo(renderer); };
+  const auto occlusion = [](
+                           vtkRenderer* renderer) { vtkPenumbraTemporalSSAOPass::AddTo(renderer); };
   const auto shafts = [](vtkRenderer* renderer) { vtkPenumbraLightShaftPass::AddTo(renderer); };
   const auto outermost = [](vtkRenderer* renderer) {
     renderer->SetPass(vtkNew<vtkPenumbraTemporalSSAOPass>());

@@ -335,7 +335,8 @@ bool ShaftViewState::Scatter(
     this->Settings.Radial ? vtkPenumbraShaftLitColorLib : vtkPenumbraShaftLitFractionLib;
   vtkShaderProgram* program = stage.Ready(this->Window,
     AssembleFor(lights.IsPositional(), this->Settings, vtkPenumbraShaftScatterFS,
-      { { "LitFraction", library } }));
+      { { "LitFraction", library },
+        { "Channels", this->Settings.IsColored() ? "#define COLORED" : "" } }));
   if (!program)
   {
     return false;
@@ -348,7 +349,6 @@ bool ShaftViewState::Scatter(
   program->SetUniform2f("offset", offset.data());
   SetNumber(program, "blockSize", this->Settings.Block);
   const bool exact = this->Settings.Radial && this->Settings.Block == 1;
-  program->SetUniformi("isColored", this->Settings.IsColored());
   SetNumber(program, "interleaved", exact ? 0.0 : 1.0);
   SetPixelSize(program, "texelSize", fractions->GetWidth(), fractions->GetHeight());
   stage.BindTexture("eyeDepths", this->Depth.GetCurrent());

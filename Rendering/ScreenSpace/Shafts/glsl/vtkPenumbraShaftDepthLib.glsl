@@ -76,7 +76,8 @@ float estimateLitFraction(ViewRay ray, vec2 pixel, float eyeDepth)
   float point = binPointOf(odd);
   float previousDepth = eyeDepth;
   vec2 previousSpan = vec2(eyeDepth, eyeDepth + thickness);
-  for (int i = 0; i < steps; ++i)
+  int i = 0;
+  do
   {
     // A depth is valid at the center of its texel.
     vec2 texel = floor(pixel + stride * (float(i) + start) * pixelsPerQ) + 0.5;
@@ -102,6 +103,7 @@ float estimateLitFraction(ViewRay ray, vec2 pixel, float eyeDepth)
     }
     previousDepth = depth;
     previousSpan = span;
-  }
+    ++i;
+  } while (i < steps);
   return litFractionOf(ray, shadowed);
 }

@@ -5,9 +5,10 @@
 // eq. 1]. Coordinates are eye coordinates with z along the view axis. The library of the light type
 // follows at the end. Its CDF maps lengths along a view ray to [0, 1] so that equal intervals
 // scatter equal (directional light) or similar (positional light) amounts of light while the ray is
-// lit.
+// lit. Loops over lights and steps test their number after each one: some drivers execute the body of a
+// loop once more, without effect, if the condition comes first.
 uniform vec4 lights[3];     // positions (w = 1), or unit directions toward the lights (w = 0)
-uniform int lightCount;
+uniform int lightCount;       // at least 1
 uniform vec3 coefficients[3]; // per color channel and unit of length: scattering, extinction, Rayleigh
 uniform int phase;          // vtkPenumbraLightShaftPass::Phases
 uniform float asymmetry;    // mean cosine of HENYEY_GREENSTEIN

@@ -47,13 +47,16 @@ float estimateLitFraction(ViewRay ray, vec2 pixel, float eyeDepth)
   float offset = sampleOffset(pixel);
   float shadowed = 0.0;
   int count = stride > 0.0 ? steps : 0;
-  for (int i = 0; i < count; ++i)
+  int i = 0;
+  do
   {
     float cdf = first + (float(i) + offset) * stride;
     vec4 point = start + lengthOfCdf(ray, cdf) * slope;
     vec3 position = point.xyz / point.w;
     float lit = texture(shadowMap, vec3(position.xy, clamp(position.z, 0.0, 1.0)));
     shadowed += (1.0 - lit) * inScatteringWeight(ray, cdf);
-  }
+    ++i;
+  } while (i < count);
+  shadowed = count > 0 ? shadowed : 0.0;
   return clamp(1.0 - shadowed * stride / max(meanInScatteringWeight(ray), 1e-30), 0.0, 1.0);
 }

@@ -14,7 +14,6 @@ uniform vec2 texelSize;       // 1 / size of litFractions
 uniform float blockSize;      // pixels per side of a texel
 uniform float interleaved;    // 1: interpolate four texels per pixel
 uniform vec3 colors[3];       // of the lights, exposure included
-uniform int isColored;        // 1: each channel has its own coefficients
 uniform int referenceChannel; // the most transparent one: alpha is its transmittance
 uniform vec2 alpha;           // the output's alpha is x + y * transmittance
 uniform vec2 offset;          // from pixels of the target to those of the scene image
@@ -23,6 +22,9 @@ uniform vec2 offset;          // from pixels of the target to those of the scene
 const float depthTolerance = 0.02;
 
 //VTK::Penumbra::LitFraction
+
+// COLORED is defined if each channel has its own coefficients.
+//VTK::Penumbra::Channels
 
 // Mean over 2 x 2 texels, weighted by similarity of depth. The weights of even and odd texels are
 // equal at every pixel, so that their interleaved starts cancel out.
@@ -52,20 +54,24 @@ void main()
     interleaved > 0.5 ? litFractionsAt(pixel, eyeDepth) : texture(litFractions, pixel * texelSize).rgb;
   vec3 sum = vec3(0.0);
   float transmittance = 1.0;
-  for (int i = 0; i < lightCount; ++i)
+  int i = 0;
+  do
   {
     light = lights[i];
     selectChannel(referenceChannel);
     ViewRay ray = makeViewRay(pixel, eyeDepth);
     transmittance = exp(-min(extinction * ray.column, 80.0));
     vec3 scattered = vec3(inScattering(ray));
-    for (int channel = 0; channel < 3 && isColored > 0; ++channel)
+#ifdef COLORED
+    for (int channel = 0; channel < 3; ++channel)
     {
       selectChannel(channel);
       vec3 component = vec3(equal(ivec3(0, 1, 2), ivec3(channel)));
       scattered = mix(scattered, vec3(inScattering(makeViewRay(pixel, eyeDepth))), component);
     }
+#endif
     sum += colors[i] * litFraction(i, lit) * scattered;
-  }
+    ++i;
+  } while (i < lightCount);
   gl_FragData[0] = vec4(sum, alpha.x + alpha.y * transmittance);
 }

@@ -18,11 +18,13 @@ void main()
   float eyeDepth = texture(eyeDepths, pixel * pixelSize).r;
   selectChannel(referenceChannel);
   vec3 lit = vec3(0.0);
-  for (int i = 0; i < lightCount; ++i)
+  int i = 0;
+  do
   {
     light = lights[i];
     vec3 component = vec3(equal(ivec3(0, 1, 2), ivec3(i)));
     lit += component * estimateLitFraction(makeViewRay(pixel, eyeDepth), pixel, eyeDepth);
-  }
+    ++i;
+  } while (i < lightCount);
   gl_FragData[0] = vec4(lit, eyeDepth);
 }
