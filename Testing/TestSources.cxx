@@ -50,7 +50,6 @@ const std::map<std::string, int> LongFiles = {
   { "Command/Options/RenderOptions.h", 152 },
   { "Filters/Irradiance/Gathering/IrradianceConstants.h", 387 },
   { "Filters/RayCasting/Edges/OutlineProjector.h", 155 },
-  { "Filters/RayCasting/Light/LightSite.h", 180 },
   { "Filters/RayCasting/RayCasterInternals.h", 176 },
   { "Filters/RayCasting/Sampling/CameraRayTracer.h", 190 },
   { "Filters/RayCasting/Tiles/ScreenTriangle.h", 199 },

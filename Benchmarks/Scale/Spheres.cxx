@@ -137,9 +137,8 @@ void MeasureMillion(Options& options)
     const std::string scene =
       "a million spheres, " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
     char remark[200];
-    std::snprintf(remark, sizeof remark,
-      "the input takes %.0f MB; an image of one sphere takes 46 MB",
-      1e-3 * data->GetActualMemorySize());
+    std::snprintf(
+      remark, sizeof remark, "the input takes %.0f MB", 1e-3 * data->GetActualMemorySize());
     options.Results.Add(scene, "peak memory in addition to the input, MB", peak, TargetKind::AtMost,
       MaximumMegabytes, remark);
     std::snprintf(remark, sizeof remark,

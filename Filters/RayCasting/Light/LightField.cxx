@@ -64,8 +64,7 @@ public:
       this->FoundSites.resize(this->Count);
       this->Done.assign(this->Count, 0);
       this->Scattered.assign(this->Count, 0);
-      this->Grid.Pixels.assign(
-        static_cast<std::size_t>(this->Grid.GetSize().x) * this->Grid.GetSize().y, LightPixel());
+      this->Grid.Tiles.resize(this->Count);
     }
     const bool finished = this->ForTiles(
       limit, from, to, progress, counts, this->Count, [&](int tile, SiteSampler<N>& sampler) {
@@ -75,6 +74,7 @@ public:
         {
           return;
         }
+        this->Grid.Tiles[tile].resize(LightTileSide * LightTileSide);
         this->VisitBlocks(tile, [&](glm::ivec2 first) {
           sampler.FindSites(first);
           for (int cell = 0; cell < SiteSampler<N>::Cells; ++cell)
@@ -87,6 +87,10 @@ public:
           }
         });
         sites.shrink_to_fit();
+        if (sites.empty())
+        {
+          std::vector<LightPixel>().swap(this->Grid.Tiles[tile]);
+        }
       });
     if (finished)
     {
@@ -171,6 +175,10 @@ private:
     for (std::size_t tile = 0; tile < this->FoundSites.size(); ++tile)
     {
       std::vector<LightSite<N>>& sites = this->FoundSites[tile];
+      if (sites.empty())
+      {
+        continue;
+      }
       this->VisitBlocks(static_cast<int>(tile), [&](glm::ivec2 first) {
         for (int cell = 0; cell < SiteSampler<N>::Cells; ++cell)
         {
@@ -198,7 +206,7 @@ private:
   LightPixel& GetPixel(glm::ivec2 first, int cell)
   {
     const glm::ivec2 p = first + SiteSampler<N>::GetOffset(cell);
-    return this->Grid.Pixels[this->Grid.GetCell(p.x, p.y)];
+    return this->Grid.GetPixel(p.x, p.y);
   }
 
   /// Calls visit(first) for the first pixels of the blocks of a tile.
@@ -389,7 +397,7 @@ template <int N>
 LightField::Change JoinedLight<N>::At(int x, int y) const
 {
   Change result;
-  const LightPixel& pixel = this->Grid.Pixels[this->Grid.GetCell(x, y)];
+  const LightPixel& pixel = this->Grid.ReadPixel(x, y);
   if (pixel.Sites == 0)
   {
     return result;
@@ -443,7 +451,7 @@ LightField::Change JoinedLight<N>::At(int x, int y) const
 template <int N>
 float JoinedLight<N>::GetMeanOcclusion(int x, int y) const
 {
-  const LightPixel& pixel = this->Grid.Pixels[this->Grid.GetCell(x, y)];
+  const LightPixel& pixel = this->Grid.ReadPixel(x, y);
   float sum = 0.f;
   float samples = 0.f;
   for (std::uint32_t i = pixel.Begin; i < pixel.Begin + pixel.Sites; ++i)

@@ -123,39 +123,6 @@ struct LightFeatures
   glm::vec3 GetNormal() const { return { this->At[3], this->At[4], this->At[5] }; }
 };
 
-/// Joined estimate of neighboring sites of one surface: a linear function of the features.
-template <int N>
-struct SitePatch
-{
-  LightFeatures Mean{};
-  using Values = typename LightTerms<N>::Value;
-  Values Value{ 0.f }; ///< at the mean, times 1 - AloneWeight
-  Values Slopes[LightFeatures::Count] = {};
-  float AloneWeight = 0.f;    ///< weight of the rays of the site alone
-  Values SquaredError{ 0.f }; ///< of a site
-};
-
-/// The sites of the pixels [Low, High), which are multiples of LightTileSide; pixels outside of the
-/// image are empty.
-template <int N>
-struct SiteGrid
-{
-  glm::ivec2 Low{ 0 };
-  glm::ivec2 High{ 0 };
-  std::vector<LightSite<N>> Sites;
-  std::vector<LightPixel> Pixels; ///< row by row
-  std::vector<SitePatch<N>> Patches;
-  /// Squared range of the value of a ray.
-  typename LightTerms<N>::Value SquaredRange{ 1.f };
-
-  glm::ivec2 GetSize() const { return this->High - this->Low; }
-  std::size_t GetCell(int x, int y) const
-  {
-    return static_cast<std::size_t>(y - this->Low.y) * (this->High.x - this->Low.x) +
-      (x - this->Low.x);
-  }
-};
-
 /// Returns true if two surfaces may be one: `offset` is the vector between their points, `height` and
 /// `slope` bound its distance from the plane of `normal`, absolutely and relative to its length.
 inline bool IsNearPlane(glm::vec3 offset, glm::vec3 normal, float height, float slope)

@@ -6,7 +6,7 @@
 #define penumbra_RayGrowth_h
 
 #include "LightConstants.h"
-#include "LightSite.h"
+#include "SiteGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +63,7 @@ bool IncreaseBlock(SiteGrid<N>& grid, glm::ivec2 low, glm::ivec2 high, float fac
   {
     for (int x = low.x; x < high.x; ++x)
     {
-      LightPixel& pixel = grid.Pixels[grid.GetCell(x, y)];
+      LightPixel& pixel = grid.GetPixel(x, y);
       if (pixel.Sites > 0 && pixel.Target < MaximumSiteRays / Halves)
       {
         pixel.Target = static_cast<std::uint16_t>(GrowRays(pixel.Target, factor));

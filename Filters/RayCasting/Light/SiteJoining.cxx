@@ -11,11 +11,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace penumbra
 {
 namespace
 {
+
+/// Number of consecutive blocks whose patches are made together.
+constexpr int BlocksOfRun = 32;
 
 template <int N>
 class SiteJoining
@@ -68,16 +72,23 @@ private:
   template <typename Visit>
   void VisitPatches(Level& level, const Visit& makePatches)
   {
-    std::vector<std::vector<Patch>> blocks(level.GetNumberOfBlocks());
-    ParallelFor(
-      0, level.GetNumberOfBlocks(), 32, [&](int block) { makePatches(block, blocks[block]); });
-    level.Begin.assign(1, 0);
-    for (const std::vector<Patch>& patches : blocks)
-    {
-      level.Begin.push_back(level.Begin.back() + static_cast<std::uint32_t>(patches.size()));
-    }
+    const int count = level.GetNumberOfBlocks();
+    std::vector<std::vector<Patch>> runs((count + BlocksOfRun - 1) / BlocksOfRun);
+    level.Begin.assign(static_cast<std::size_t>(count) + 1, 0);
+    ParallelFor(0, static_cast<int>(runs.size()), 1, [&](int run) {
+      std::vector<Patch> patches;
+      const int first = run * BlocksOfRun;
+      for (int block = first; block < std::min(first + BlocksOfRun, count); ++block)
+      {
+        patches.clear();
+        makePatches(block, patches);
+        level.Begin[block + 1] = static_cast<std::uint32_t>(patches.size());
+        runs[run].insert(runs[run].end(), patches.begin(), patches.end());
+      }
+    });
+    std::partial_sum(level.Begin.begin(), level.Begin.end(), level.Begin.begin());
     level.Patches.reserve(level.Begin.back());
-    for (const std::vector<Patch>& patches : blocks)
+    for (const std::vector<Patch>& patches : runs)
     {
       level.Patches.insert(level.Patches.end(), patches.begin(), patches.end());
     }
@@ -99,6 +110,8 @@ private:
     return static_cast<std::uint32_t>(patches.size() - 1);
   }
 
+  const LightPixel& GetPixel(glm::ivec2 p) const { return this->Grid.ReadPixel(p.x, p.y); }
+
   /// Calls visit(site, pixel) for the sites of a block of a level.
   template <typename Visit>
   void VisitSites(const Level& level, int block, const Visit& visit)
@@ -107,9 +120,7 @@ private:
       this->Grid.Low + level.Side * glm::ivec2(block % level.Blocks.x, block / level.Blocks.x);
     for (int i = 0; i < level.Side * level.Side; ++i)
     {
-      const std::size_t cell =
-        this->Grid.GetCell(first.x + i % level.Side, first.y + i / level.Side);
-      const LightPixel& pixel = this->Grid.Pixels[cell];
+      const LightPixel& pixel = this->GetPixel(first + glm::ivec2(i % level.Side, i / level.Side));
       for (std::uint32_t k = pixel.Begin; k < pixel.Begin + pixel.Sites; ++k)
       {
         visit(this->Grid.Sites[k], pixel);
@@ -255,8 +266,7 @@ private:
       this->Grid.Low + level.Side * glm::ivec2(block % level.Blocks.x, block / level.Blocks.x);
     for (int i = 0; i < level.Side * level.Side; ++i)
     {
-      const LightPixel& pixel =
-        this->Grid.Pixels[this->Grid.GetCell(first.x + i % level.Side, first.y + i / level.Side)];
+      const LightPixel& pixel = this->GetPixel(first + glm::ivec2(i % level.Side, i / level.Side));
       for (std::uint32_t k = pixel.Begin; k < pixel.Begin + pixel.Sites; ++k)
       {
         const LightSite<N>& site = this->Grid.Sites[k];

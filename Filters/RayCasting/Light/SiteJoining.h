@@ -6,7 +6,7 @@
 #ifndef penumbra_SiteJoining_h
 #define penumbra_SiteJoining_h
 
-#include "LightSite.h"
+#include "SiteGrid.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro
 
 namespace penumbra

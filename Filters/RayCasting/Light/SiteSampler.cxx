@@ -194,7 +194,7 @@ void SiteSampler<N>::AddSamples(glm::ivec2 first, const SiteGrid<N>& grid)
   {
     const glm::ivec2 p = first + GetOffset(cell);
     LightPixel& pixel = this->Pixels[cell];
-    pixel = grid.Pixels[grid.GetCell(p.x, p.y)];
+    pixel = grid.ReadPixel(p.x, p.y);
     const LightSite<N>* const sites = grid.Sites.data() + pixel.Begin;
     this->Sites[cell].assign(sites, sites + pixel.Sites);
     // The number of samples doubles, or grows by half at the end.

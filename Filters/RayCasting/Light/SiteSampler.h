@@ -8,8 +8,8 @@
 
 #include "LightConstants.h"
 #include "LightRays.h"
-#include "LightSite.h"
 #include "Sampling/CameraRayTracer.h"
+#include "SiteGrid.h"
 
 #include <cstdint>
 #include <vector>

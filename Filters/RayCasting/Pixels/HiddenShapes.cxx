@@ -49,7 +49,7 @@ HiddenShapes::HiddenShapes(
       double depth = 0.0;
       for (int i = 0; i < 4; ++i)
       {
-        const Sample& corner = grid.At(x + (i & 1), y + (i >> 1));
+        const Sample corner = grid.At(x + (i & 1), y + (i >> 1));
         depth = std::max(depth, MaximumOpaqueDepth(scene, corner, glm::dvec2(x, y)));
       }
       this->OpaqueDepths[this->Index({ x, y })] = ComputeDepthBehind(depth, scene.ViewCamera);

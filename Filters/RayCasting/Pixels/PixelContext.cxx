@@ -86,8 +86,8 @@ float PixelContext::EstimateCurvatureError() const
     for (int line = 0; line < 2; ++line)
     {
       const glm::ivec2 p = this->Position + line * side;
-      const glm::vec4& first = this->Grid.At(p.x, p.y).Color;
-      const glm::vec4& second = this->Grid.At(p.x + step.x, p.y + step.y).Color;
+      const glm::vec4 first = this->Grid.At(p.x, p.y).Color;
+      const glm::vec4 second = this->Grid.At(p.x + step.x, p.y + step.y).Color;
       float minimum = contrast;
       for (int end = 0; end < 2; ++end)
       {
@@ -98,7 +98,7 @@ float PixelContext::EstimateCurvatureError() const
         {
           continue;
         }
-        const glm::vec4& outer = this->Grid.At(q.x, q.y).Color;
+        const glm::vec4 outer = this->Grid.At(q.x, q.y).Color;
         const glm::vec4 d = end == 0 ? outer - 2.f * first + second : first - 2.f * second + outer;
         minimum = std::min(minimum, ComputeMaximumDifference(d, glm::vec4(0.f)));
       }

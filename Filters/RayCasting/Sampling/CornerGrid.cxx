@@ -14,7 +14,7 @@ CornerGrid::CornerGrid(glm::ivec2 low, glm::ivec2 high, bool allocate, bool penu
     High(high),
     FirstBlock(low / BlockSide),
     Blocks(high / BlockSide - low / BlockSide + 1),
-    Samples(allocate ? static_cast<std::size_t>(high.x - low.x + 1) * (high.y - low.y + 1) : 0)
+    Corners(allocate ? static_cast<std::size_t>(high.x - low.x + 1) * (high.y - low.y + 1) : 0)
 {
   if (penumbrae)
   {
@@ -93,7 +93,7 @@ void CornerGrid::TraceBlock(const CameraRayTracer& tracer, glm::ivec2 block, boo
     }
     if (p.x >= this->Low.x && p.x <= this->High.x && p.y >= this->Low.y && p.y <= this->High.y)
     {
-      this->At(p.x, p.y) = samples[i];
+      this->Corners[this->Index(p.x, p.y)] = samples[i];
     }
   }
   const glm::ivec2 pixel = glm::min(first, last - 1);

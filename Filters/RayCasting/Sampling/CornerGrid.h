@@ -58,13 +58,51 @@ public:
   std::uint32_t GetPenumbrae(glm::dvec2 p) const;
 
   /// Returns the sample at image point (x, y), for x in [low.x, high.x] and y in [low.y, high.y].
-  const Sample& At(int x, int y) const { return this->Samples[this->Index(x, y)]; }
-  Sample& At(int x, int y) { return this->Samples[this->Index(x, y)]; }
+  /// It lacks the lights that rays reached, and what continues the ray behind its first hit.
+  Sample At(int x, int y) const { return this->Corners[this->Index(x, y)].GetSample(); }
 
   glm::ivec2 GetLow() const { return this->Low; }
   glm::ivec2 GetHigh() const { return this->High; }
 
 private:
+  /// The part of a sample that pixels use, because there is one for each pixel of the image.
+  struct Corner
+  {
+    glm::vec4 Color;
+    std::uint32_t Surface, Primitive;
+    float U, V;
+    float Distance, OpaqueDepth;
+    float Error, Noise;
+
+    Corner(const Sample& sample = Sample())
+      : Color(sample.Color),
+        Surface(sample.FirstHit.Surface),
+        Primitive(sample.FirstHit.Primitive),
+        U(sample.FirstHit.U),
+        V(sample.FirstHit.V),
+        Distance(sample.FirstHit.Distance),
+        OpaqueDepth(sample.OpaqueDepth),
+        Error(sample.Error),
+        Noise(sample.Noise)
+    {
+    }
+
+    Sample GetSample() const
+    {
+      Sample sample;
+      sample.Color = this->Color;
+      sample.FirstHit.Surface = this->Surface;
+      sample.FirstHit.Primitive = this->Primitive;
+      sample.FirstHit.U = this->U;
+      sample.FirstHit.V = this->V;
+      sample.FirstHit.Distance = this->Distance;
+      sample.OpaqueDepth = this->OpaqueDepth;
+      sample.Error = this->Error;
+      sample.Noise = this->Noise;
+      return sample;
+    }
+  };
+
   std::size_t Index(int x, int y) const
   {
     return static_cast<std::size_t>(y - this->Low.y) * (this->High.x - this->Low.x + 1) +
@@ -88,7 +126,7 @@ private:
 
   glm::ivec2 FirstBlock, Blocks;
   int StripsPerRow;
-  std::vector<Sample> Samples;
+  std::vector<Corner> Corners;
   /// Per block, if there are lights with a size: lights that rays reached and did not reach, and
   /// lights that cast a penumbra.
   std::vector<std::uint32_t> LitBy, ShadowedFrom, Penumbrae;

@@ -85,7 +85,9 @@ JoinedOcclusion::JoinedOcclusion(const std::vector<SurfacePoint>& points, int wi
     Size(width, static_cast<int>(points.size()) / std::max(width, 1))
 {
   this->Grid.High = (this->Size + LightTileSide - 1) / LightTileSide * LightTileSide;
-  this->Grid.Pixels.resize(static_cast<std::size_t>(this->Grid.High.x) * this->Grid.High.y);
+  const glm::ivec2 tiles = this->Grid.High / LightTileSide;
+  this->Tiles.resize(static_cast<std::size_t>(tiles.x) * tiles.y);
+  this->Grid.Tiles.resize(this->Tiles.size());
   for (int y = 0; y < this->Size.y; ++y)
   {
     for (int x = 0; x < this->Size.x; ++x)
@@ -93,7 +95,8 @@ JoinedOcclusion::JoinedOcclusion(const std::vector<SurfacePoint>& points, int wi
       const SurfacePoint& point = points[static_cast<std::size_t>(y) * width + x];
       if (point.Normal != glm::vec3(0.f))
       {
-        LightPixel& pixel = this->Grid.Pixels[this->Grid.GetCell(x, y)];
+        this->Grid.Tiles[this->Grid.GetTile(x, y)].resize(LightTileSide * LightTileSide);
+        LightPixel& pixel = this->Grid.GetPixel(x, y);
         pixel.Begin = static_cast<std::uint32_t>(this->Grid.Sites.size());
         pixel.Sites = 1;
         pixel.Traced = 0;
@@ -105,8 +108,6 @@ JoinedOcclusion::JoinedOcclusion(const std::vector<SurfacePoint>& points, int wi
       }
     }
   }
-  const glm::ivec2 tiles = this->Grid.High / LightTileSide;
-  this->Tiles.resize(static_cast<std::size_t>(tiles.x) * tiles.y);
   std::iota(this->Tiles.begin(), this->Tiles.end(), 0);
   this->Done.assign(this->Tiles.size(), 0);
   this->Complete = this->Grid.Sites.empty();
@@ -155,7 +156,7 @@ long long JoinedOcclusion::TraceTile(int tile)
 {
   constexpr int Ratio = LightTileSide / DirectionBlockSide;
   long long rays = 0;
-  for (int i = 0; i < Ratio * Ratio; ++i)
+  for (int i = 0; i < Ratio * Ratio && !this->Grid.Tiles[tile].empty(); ++i)
   {
     rays += this->TraceBlock(
       this->FirstOfTile(tile) + DirectionBlockSide * glm::ivec2(i % Ratio, i / Ratio));
@@ -177,7 +178,7 @@ long long JoinedOcclusion::TraceBlock(glm::ivec2 first)
   for (int cell = 0; cell < CellsOfBlock; ++cell)
   {
     const glm::ivec2 p = first + OffsetOfCell(cell);
-    LightPixel& pixel = this->Grid.Pixels[this->Grid.GetCell(p.x, p.y)];
+    LightPixel& pixel = this->Grid.GetPixel(p.x, p.y);
     while (pixel.Sites > 0 && pixel.Traced < pixel.Target)
     {
       const int most = pixel.Traced > 0 ? pixel.Traced : FirstSiteRays / Halves;
@@ -224,7 +225,7 @@ long long JoinedOcclusion::TraceBlock(glm::ivec2 first)
 
 float JoinedOcclusion::SquaredErrorAt(int x, int y) const
 {
-  const LightPixel& pixel = this->Grid.Pixels[this->Grid.GetCell(x, y)];
+  const LightPixel& pixel = this->Grid.ReadPixel(x, y);
   return pixel.Sites > 0 ? this->Grid.Patches[this->Grid.Sites[pixel.Begin].Patch].SquaredError[0]
                          : -1.f;
 }
@@ -276,7 +277,7 @@ void JoinedOcclusion::CopyTo(std::vector<float>& means) const
   ParallelFor<int>(0, this->Size.y, 0, [&](int y) {
     for (int x = 0; x < this->Size.x; ++x)
     {
-      const LightPixel& pixel = this->Grid.Pixels[this->Grid.GetCell(x, y)];
+      const LightPixel& pixel = this->Grid.ReadPixel(x, y);
       if (pixel.Sites > 0)
       {
         means[static_cast<std::size_t>(y) * this->Size.x + x] =

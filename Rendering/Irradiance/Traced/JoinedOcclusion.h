@@ -10,7 +10,7 @@
 
 #include "Execution/WorkLimit.h"
 #include "Light/LightRays.h"
-#include "Light/LightSite.h"
+#include "Light/SiteGrid.h"
 #include "SurfaceFromDepth.h"
 
 #include <cstdint>
