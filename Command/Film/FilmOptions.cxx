@@ -179,8 +179,10 @@ void DeclareFilmOptions(const CommandLine& app, FilmOptions& options)
     .TakeLast()
     .Group("Output");
   app.Get("--output")
-    .Description("Images: .png .jpg .tif .bmp (8 bits per channel) or .vti; {frame} is replaced "
-                 "by the frame number, {time} by the time of its step");
+    .Description(
+      "Images: .png .jpg .jpeg .tif .tiff .bmp (8 bits per channel), .vti, or vector "
+      "graphics: .svg .pdf (ray); {frame} is replaced by the frame number, {time} by the "
+      "time of its step");
   app.Get("--statistics")
     .Description(
       "Write ray counts, estimated error, times and memory to these files; {frame} as in --output");

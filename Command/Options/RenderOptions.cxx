@@ -113,8 +113,8 @@ void DeclareCamera(const CommandLine& app, CameraOptions& camera)
     "Focal point; default: the center of the bounds", Coordinate);
   AddDirection(app, "--camera-view-up", camera.ViewUp, "Up direction; default: 0,1,0");
   AddDirection(app, "--up", camera.SceneUp,
-    "Up direction of the scene, seen from the front: --camera-view-up, and a --camera-direction "
-    "that suits it")
+    "Up direction of the scene, seen from the front: --camera-view-up, --hdri-up, and a "
+    "--camera-direction that suits it")
     .Group("Camera");
   AddDirection(app, "--camera-direction", camera.Direction,
     "View direction, at a distance that fits the bounds; default: 0,0,-1; ignored with "
@@ -162,7 +162,7 @@ void DeclareAppearance(const CommandLine& app, RenderOptions& options)
     .Group(group);
   app
     .AddNegation("--no-background", options.Background,
-      "Transparent background: alpha is the coverage (.png .tif .vti)")
+      "Transparent background: alpha is the coverage (not .jpg and .bmp)")
     .Group(group);
   app.AddNegation("--no-lighting,--unlit", options.Lighting, "Colors without shading").Group(group);
   AddLightPositionOption(app, options.Lights,

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -57,6 +58,63 @@ TEST(Help, MatchesDocumentedOptions)
   for (const std::string& option : recipes)
   {
     EXPECT_TRUE(documented.count(option)) << option << " of a recipe is not documented";
+  }
+}
+
+// Sections of the page begin with the names of their commands.
+TEST(Help, MatchesTheSectionOfEachCommand)
+{
+  const std::regex row(R"(\| `-([^|\\]|\\\|)*)"); // the first cell; \| is a bar in it
+  std::map<std::string, std::set<std::string>> documented;
+  std::istringstream page(ReadText(PENUMBRA_SOURCE_DIR "/Documentation/user/Options.md"));
+  std::string command;
+  for (std::string line; std::getline(page, line);)
+  {
+    if (line.rfind("## ", 0) == 0)
+    {
+      command = line.substr(3, line.find_first_of(":,", 3) - 3);
+    }
+    std::smatch cell;
+    if (std::regex_search(line, cell, row, std::regex_constants::match_continuous))
+    {
+      documented[command].merge(FindOptions(cell.str()));
+    }
+  }
+  documented["animate"].insert(documented["render"].begin(), documented["render"].end());
+  for (const char* name : { "render", "animate", "bake", "chart", "compare" })
+  {
+    std::set<std::string> offered;
+    std::istringstream help(RunProgram({ name, "--help" }).Output);
+    for (std::string line; std::getline(help, line);)
+    {
+      const std::set<std::string> names = FindOptions(line.substr(0, line.find("  ", 4)));
+      if (line.rfind("  -", 0) == 0)
+      {
+        offered.insert(names.begin(), names.end());
+      }
+    }
+    offered.erase("--help");
+    EXPECT_EQ(documented[name], offered) << name;
+  }
+}
+
+TEST(Help, NamesEveryFormatOfImages)
+{
+  const std::string list = RunProgram({ "list" }).Output;
+  const std::regex extension("\\.[a-z]+");
+  for (const char* title : { "\nImages\n", "\nVector graphics\n" })
+  {
+    const std::size_t begin = list.find(title) + std::string(title).size();
+    const std::string line = list.substr(begin, list.find('\n', begin) - begin);
+    EXPECT_NE(line.find('.'), std::string::npos);
+    for (const char* command : { "render", "animate" })
+    {
+      const std::string help = RunProgram({ command, "--help" }).Output;
+      for (std::sregex_iterator i(line.begin(), line.end(), extension), end; i != end; ++i)
+      {
+        EXPECT_NE(help.find(i->str()), std::string::npos) << command << ": " << i->str();
+      }
+    }
   }
 }
 
