@@ -12,6 +12,8 @@ set(PENUMBRA_PYTHON_VTK cvista CACHE STRING
 option(PENUMBRA_WARNINGS_AS_ERRORS "Fail on compiler warnings." OFF)
 option(PENUMBRA_TEST_ONCE
   "Run the tests labelled `once`, too: no option of the compiler and no version of VTK changes their results." ON)
+option(PENUMBRA_TEST_OWN
+  "Run the tests of our own algorithms, too, which use only what all versions of VTK compute alike." ON)
 option(PENUMBRA_SANITIZERS "Build with AddressSanitizer and UBSan." OFF)
 option(PENUMBRA_INSTALL_VTK_PATH
   "Store the folder of VTK in the installed package and libraries. OFF: for another machine." ON)

@@ -1,8 +1,8 @@
-# penumbra_test(<TestName> [SOURCES more.cxx...] [LABELS label...] MODULES Penumbra::... VTK::...)
+# penumbra_test(<TestName> [OWN] [SOURCES more.cxx...] [LABELS label...] MODULES Penumbra::... VTK::...)
 # GoogleTest cases in <TestName>.cxx; each TEST becomes a CTest test. The target <TestName> holds the objects. The
 # tests of a folder with the same labels are one program, <Folder>Tests: it links in seconds, where one for each source
 # takes minutes. `ninja <Folder>Tests` builds it. Tests with the label `once` are part of it only if PENUMBRA_TEST_ONCE
-# is ON.
+# is ON, and so are the cases in Testing/once.txt; tests with OWN only if PENUMBRA_TEST_OWN is ON.
 include(GoogleTest)
 
 # The semicolons are escaped because gtest_discover_tests() treats them as argument separators.
@@ -13,6 +13,15 @@ string(JOIN "\\;" penumbra_test_environment
   "ASAN_OPTIONS=intercept_tls_get_addr=0"
   "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/leaks.supp:print_suppressions=0"
   "UBSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/undefined.supp:print_stacktrace=1")
+
+# The cases in Testing/once.txt, as a filter of GoogleTest.
+set(penumbra_test_filter "")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Testing/once.txt")
+if (NOT PENUMBRA_TEST_ONCE)
+  file(STRINGS "${PROJECT_SOURCE_DIR}/Testing/once.txt" penumbra_once_cases REGEX "^[A-Za-z]")
+  string(JOIN ":" penumbra_once_cases ${penumbra_once_cases})
+  set(penumbra_test_filter TEST_FILTER "-${penumbra_once_cases}")
+endif ()
 
 # Ends a test after this time with its stack printed; reports processes that it leaves behind.
 if (BUILD_TESTING)
@@ -44,17 +53,18 @@ function (penumbra_add_test_program program labels)
   target_link_libraries(${program} PRIVATE GTest::gtest_main)
   add_dependencies(${program} penumbra-run-limited)
   gtest_discover_tests(${program} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 300
+    ${penumbra_test_filter}
     PROPERTIES
       LABELS "${labels}"
       ENVIRONMENT "${penumbra_test_environment}")
 endfunction ()
 
 function (penumbra_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LABELS;MODULES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "OWN" "" "SOURCES;LABELS;MODULES")
   if (NOT arg_LABELS)
     set(arg_LABELS fast)
   endif ()
-  if ("once" IN_LIST arg_LABELS AND NOT PENUMBRA_TEST_ONCE)
+  if (("once" IN_LIST arg_LABELS AND NOT PENUMBRA_TEST_ONCE) OR (arg_OWN AND NOT PENUMBRA_TEST_OWN))
     add_library(${name} OBJECT EXCLUDE_FROM_ALL ${name}.cxx ${arg_SOURCES})
     return()
   endif ()

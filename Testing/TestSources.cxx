@@ -108,6 +108,33 @@ TEST(Sources, HaveLinesOfAtMost120Columns)
   }
 }
 
+/// Cases that run once must not be left out under the name of one that no longer exists.
+TEST(OnceCases, Exist)
+{
+  std::string tests;
+  for (const char* top : { "Benchmarks", "Filters", "Rendering", "Testing" })
+  {
+    for (const fs::path& source : Sources(Root / top, true))
+    {
+      if (source.filename().string().rfind("Test", 0) == 0)
+      {
+        tests += Text(source);
+      }
+    }
+  }
+  std::istringstream lines(Text(Root / "Testing/once.txt"));
+  for (std::string line; std::getline(lines, line);)
+  {
+    const std::size_t dot = line.find('.');
+    if (!line.empty() && line[0] != '#')
+    {
+      ASSERT_NE(dot, std::string::npos) << line;
+      const std::string test = "(" + line.substr(0, dot) + ", " + line.substr(dot + 1) + ")";
+      EXPECT_NE(tests.find(test), std::string::npos) << line;
+    }
+  }
+}
+
 TEST(Plugin, HoldsNoSourcesOfItsOwn)
 {
   EXPECT_TRUE(fs::exists(Root / "Plugin"));

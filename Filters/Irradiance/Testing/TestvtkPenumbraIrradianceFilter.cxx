@@ -149,8 +149,11 @@ TEST(vtkPenumbraIrradianceFilter, IsExactOnPlaneAndInsideClosedSphere)
 TEST(vtkPenumbraIrradianceFilter, WarnsIfAllPointsAreOccludedOrBlack)
 {
   const auto warningOf = [](bool inwards, int quantity) {
+    const vtkSmartPointer<vtkSphereSource> sphere = MakeSphere();
+    sphere->SetThetaResolution(16);
+    sphere->SetPhiResolution(12);
     vtkNew<vtkReverseSense> reversed;
-    reversed->SetInputData(MakeSphere()->GetOutput());
+    reversed->SetInputConnection(sphere->GetOutputPort());
     reversed->SetReverseNormals(inwards);
     reversed->SetReverseCells(inwards);
     vtkNew<vtkPenumbraIrradianceFilter> filter;
