@@ -37,12 +37,53 @@ Ray MakeInactiveRay()
   return ray;
 }
 
+bool IsActive(const Ray& ray)
+{
+  return ray.Near <= ray.Far;
+}
+
+/// Moves a point of the unit square in one of the corners of a grid of 4 x 4 cells to this corner of the square.
+glm::vec2 MoveToCorner(glm::vec2 point)
+{
+  constexpr float Inside = 0.999f;
+  const glm::vec2 centered = 2.f * point - 1.f;
+  return std::min(std::abs(centered.x), std::abs(centered.y)) > 0.5f
+    ? 0.5f + 0.5f * Inside * glm::sign(centered)
+    : point;
+}
+
+template <std::size_t Size>
+void SetSamples(
+  std::array<LightReceiver, Size>& receivers, const glm::vec2* at, std::uint32_t count)
+{
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    receivers[i].Sample = at[i];
+  }
+}
+
 /// Returns the weight of a sample of density `own` if the same direction could have been sampled
 /// with density `other`.
 float PowerHeuristic(float own, float other)
 {
   const float ratio = other / own;
   return 1.f / (1.f + ratio * ratio);
+}
+
+/// Returns the contribution of a sample of the suns without shadows, 0 if the surface does not face it, and sets the
+/// ray toward it.
+glm::vec3 UnshadowedSun(const EnvironmentMap& map, const LightReceiver& receiver, Ray& ray)
+{
+  const SurfaceNormals& normals = receiver.Normals;
+  const EnvironmentMap::Sun sun = map.SampleSun(receiver.Sample);
+  const float cosine = glm::dot(normals.Shading, sun.Direction);
+  if (cosine > 0.f && glm::dot(normals.Geometric, sun.Direction) > 0.f)
+  {
+    ray = Illumination::SpawnRay(receiver.Position, normals, sun.Direction);
+    return cosine / Pi * sun.Weight;
+  }
+  ray = MakeInactiveRay();
+  return glm::vec3(0.f);
 }
 
 }
@@ -160,22 +201,13 @@ void Illumination::SunContributions(const LightReceiver* receivers, std::uint32_
   packet.fill(MakeInactiveRay());
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    const SurfaceNormals& normals = receivers[i].Normals;
-    const EnvironmentMap::Sun sun = this->Settings.Map->SampleSun(receivers[i].Sample);
-    const float cosine = glm::dot(normals.Shading, sun.Direction);
-    contributions[i] = glm::vec3(0.f);
-    if (cosine > 0.f && glm::dot(normals.Geometric, sun.Direction) > 0.f)
-    {
-      contributions[i] = cosine / Pi * sun.Weight;
-      packet[i] = SpawnRay(receivers[i].Position, normals, sun.Direction);
-    }
+    contributions[i] = UnshadowedSun(*this->Settings.Map, receivers[i], packet[i]);
   }
   std::array<float, PacketSize> transmittances{};
   if (count == 1)
   {
-    transmittances[0] = packet[0].Near <= packet[0].Far
-      ? this->SurfaceShading.TraceTransmittance(packet[0], rays)
-      : 0.f;
+    transmittances[0] =
+      IsActive(packet[0]) ? this->SurfaceShading.TraceTransmittance(packet[0], rays) : 0.f;
   }
   else
   {
@@ -185,6 +217,62 @@ void Illumination::SunContributions(const LightReceiver* receivers, std::uint32_
   {
     contributions[i] *= transmittances[i];
   }
+}
+
+// The first rays of the corners of the sun are moved to the corners themselves: edges of shadows hide or show one of
+// these first. If all rays agree, the sun is hidden or visible; otherwise further rays are traced even if the first
+// ones of the sequence agree.
+Illumination::SampledLight Illumination::EstimateSuns(
+  const LightReceiver& at, double tolerance, long long& rays) const
+{
+  static_assert(FirstSunRays == PacketSize);
+  const std::uint32_t seed = MixBits(HashPoint(at.Position, at.Normals.Shading));
+  const OwenSobolSequence sequence(seed);
+  std::array<glm::vec3, PacketSize> first;
+  std::array<Ray, PacketSize> packet;
+  for (std::uint32_t i = 0; i < PacketSize; ++i)
+  {
+    LightReceiver sample = at;
+    sample.Sample = sequence.At(i);
+    first[i] = UnshadowedSun(*this->Settings.Map, sample, packet[i]);
+    const glm::vec2 corner = MoveToCorner(sample.Sample);
+    Ray moved = packet[i];
+    if (IsActive(moved) && corner != sample.Sample)
+    {
+      sample.Sample = corner;
+      UnshadowedSun(*this->Settings.Map, sample, moved);
+    }
+    packet[i] = IsActive(moved) ? moved : packet[i];
+  }
+  std::array<float, PacketSize> transmittances{};
+  this->SurfaceShading.TraceTransmittance16(packet.data(), transmittances.data(), rays);
+  float least = 1.f;
+  float most = 0.f;
+  float largest = 0.f;
+  for (std::uint32_t i = 0; i < PacketSize; ++i)
+  {
+    largest = std::max(largest, MaximumComponent(first[i]));
+    first[i] *= transmittances[i];
+    least = IsActive(packet[i]) ? std::min(least, transmittances[i]) : least;
+    most = IsActive(packet[i]) ? std::max(most, transmittances[i]) : most;
+  }
+  bool usesFirst = least >= most;
+  std::array<LightReceiver, PacketSize> receivers;
+  receivers.fill(at);
+  const StratifiedMean found = EstimateMeanOfBatches(
+    [&](const glm::vec2* samples, std::uint32_t count, glm::vec3* values) {
+      if (usesFirst)
+      {
+        std::copy(first.begin(), first.end(), values);
+        usesFirst = false;
+        return;
+      }
+      SetSamples(receivers, samples, count);
+      this->SunContributions(receivers.data(), count, values, rays);
+    },
+    seed, usesFirst ? FirstSunRays : FirstPenumbraRays, MaximumSunRays, tolerance, 1.0,
+    usesFirst ? 0.0 : (most - least) * largest);
+  return { found.Mean, static_cast<float>(found.Error) };
 }
 
 // Rays are traced to the nearest hit: coincident surfaces may hide the emitter.
@@ -221,10 +309,9 @@ void Illumination::EmitterContributions(const LightReceiver* receivers, std::uin
   }
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    contributions[i] = packet[i].Near <= packet[i].Far
-      ? this->EmitterContribution(
-          receivers[i].Normals.Shading, packet[i], hits[i], emitters[i], rays)
-      : glm::vec3(0.f);
+    contributions[i] = IsActive(packet[i]) ? this->EmitterContribution(receivers[i].Normals.Shading,
+                                               packet[i], hits[i], emitters[i], rays)
+                                           : glm::vec3(0.f);
   }
 }
 
@@ -265,29 +352,17 @@ Illumination::SampledLight Illumination::EstimateSampledLight(
 {
   SampledLight result;
   const std::uint32_t seed = MixBits(HashPoint(point, normals.Shading));
-  std::array<LightReceiver, PacketSize> receivers;
-  receivers.fill({ point, normals, glm::vec2(0.f) });
-  const auto setSamples = [&](const glm::vec2* at, std::uint32_t count) {
-    for (std::uint32_t i = 0; i < count; ++i)
-    {
-      receivers[i].Sample = at[i];
-    }
-  };
   if (this->HasSuns())
   {
-    const StratifiedMean suns = EstimateMeanOfBatches(
-      [&](const glm::vec2* at, std::uint32_t count, glm::vec3* values) {
-        setSamples(at, count);
-        this->SunContributions(receivers.data(), count, values, rays);
-      },
-      seed, FirstSunRays, MaximumSunRays, tolerance);
-    result = { suns.Mean, static_cast<float>(suns.Error) };
+    result = this->EstimateSuns({ point, normals, glm::vec2(0.f) }, tolerance, rays);
   }
   if (this->HasSampledEmitters())
   {
+    std::array<LightReceiver, PacketSize> receivers;
+    receivers.fill({ point, normals, glm::vec2(0.f) });
     const StratifiedMean emitters = EstimateMeanOfBatches(
       [&](const glm::vec2* at, std::uint32_t count, glm::vec3* values) {
-        setSamples(at, count);
+        SetSamples(receivers, at, count);
         this->EmitterContributions(receivers.data(), count, values, rays);
       },
       MixBits(seed), FirstEmitterRays, MaximumEmitterRays, tolerance, FirstEmitterErrorFraction);

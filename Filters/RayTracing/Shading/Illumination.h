@@ -50,8 +50,7 @@ public:
   Illumination(const RayScene& rays, const IlluminationSettings& settings);
 
   /// Returns the mean incident radiance at a point, over the hemisphere about its shading normal.
-  using IrradianceFunction =
-    std::function<glm::vec3(glm::vec3 point, const SurfaceNormals& normals)>;
+  using IrradianceFunction = std::function<glm::vec3(glm::vec3, const SurfaceNormals&)>;
 
   /// Returns the radiance that arrives along `ray` (unit direction), whose first hit is `hit`:
   /// emission, reflected direct light and, if `irradiance` is not empty, reflected indirect light.
@@ -99,16 +98,15 @@ public:
   /// direction below the surface is reflected.
   static Ray SpawnRay(glm::vec3 point, const SurfaceNormals& normals, glm::vec3 direction);
 
-  /// Returns the emissive triangles that are not sampled. Returns none if there are more than
-  /// MaximumEmitters, because only few triangles are likely to be missed by random rays, or if a
-  /// sphere or tube is among them.
+  /// Returns the emissive triangles that are not sampled. Returns none if there are more than MaximumEmitters,
+  /// because only few triangles are likely to be missed by random rays, or if a sphere or tube is among them.
   const std::vector<Emitter>& GetEmitters() const { return this->Emitters; }
 
   /// Radiances of the light sources of a scene, of the largest channel; 1 if all are 0.
   struct SourceRadiance
   {
-    /// Mean, to which tolerances can be relative: the larger of the environment, averaged over the
-    /// sphere, and the emission, averaged over all surfaces (see EmissiveSurfaces::MeanRadiance).
+    /// Mean, to which tolerances can be relative: the larger of the environment, averaged over the sphere, and the
+    /// emission, averaged over all surfaces (see EmissiveSurfaces::MeanRadiance).
     double Mean = 1.0;
 
     /// Largest that random rays meet: of the environment without its suns, of emitters that are not
@@ -125,6 +123,8 @@ private:
   {
     return this->SampledEmitters && !this->SampledEmitters->IsEmpty();
   }
+
+  SampledLight EstimateSuns(const LightReceiver& at, double tolerance, long long& rays) const;
 
   /// Computes the contributions of samples of the suns, and of the emitters, to the means over the
   /// hemispheres of `count` receivers, in [1, 16]. Their rays are traced as one packet.

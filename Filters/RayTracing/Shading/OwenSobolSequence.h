@@ -66,9 +66,8 @@ public:
     return partner;
   }
 
-  /// Returns half the sum of (a - b)^2 over all values a, where b is the value of the point that
-  /// shares the cell of a, see FindPartner(). Its square root divided by the number of values
-  /// estimates the standard error of the mean of stratified samples.
+  /// Returns half the sum of (a - b)^2 over all values a, where b is the value of the point that shares the cell of a,
+  /// see FindPartner(). Its square root divided by the number of values estimates the standard error of their mean.
   static double SumPairDifferences(const std::vector<float>& values)
   {
     const auto count = static_cast<std::uint32_t>(values.size());
@@ -134,13 +133,14 @@ struct StratifiedMean
   double Error = 0.0; ///< of the channel with the largest error
 };
 
-/// Estimates the mean of a color at points of the unit square. `evaluate` computes the values at
-/// the points `at`, up to 16: evaluate(const glm::vec2* at, std::uint32_t count, glm::vec3* values).
-/// The number of points, a power of two, is doubled from `first` to at most `maximum` until the error
-/// of every channel is at most `tolerance`, or this times `firstErrorFraction` after the first round.
+/// Estimates the mean of a color at points of the unit square. evaluate(const glm::vec2* at, std::uint32_t count,
+/// glm::vec3* values) computes the values at up to 16 points. Their number, a power of two, is doubled from `first` to
+/// at most `maximum` until the error of every channel is at most `tolerance`, or this times `firstErrorFraction` after
+/// the first round. `difference`: of one more pair of values; pairs agree by chance.
 template <typename Evaluate>
 StratifiedMean EstimateMeanOfBatches(const Evaluate& evaluate, std::uint32_t seed,
-  std::uint32_t first, std::uint32_t maximum, double tolerance, double firstErrorFraction = 1.0)
+  std::uint32_t first, std::uint32_t maximum, double tolerance, double firstErrorFraction = 1.0,
+  double difference = 0.0)
 {
   constexpr std::uint32_t BatchSize = 16;
   StratifiedMean result;
@@ -178,7 +178,7 @@ StratifiedMean EstimateMeanOfBatches(const Evaluate& evaluate, std::uint32_t see
     {
       largest = std::max(largest, OwenSobolSequence::SumPairDifferences(values));
     }
-    result.Error = std::sqrt(largest) / count;
+    result.Error = std::sqrt(largest + difference * difference) / count;
     const double accepted = (count == first ? firstErrorFraction : 1.0) * tolerance;
     if (result.Error <= accepted || count > maximum / 2)
     {

@@ -99,9 +99,9 @@ constexpr double SunThreshold = 8.0;
 /// worth to compute it for.
 constexpr double SunThresholdAccuracy = 1e-3;
 
-/// Number of rays to the suns of the environment map per point: first round, and maximum of all
-/// rounds.
+/// Number of rays to the suns of the environment map per point: first round, the same where rays disagree, and maximum.
 constexpr std::uint32_t FirstSunRays = 16;
+constexpr std::uint32_t FirstPenumbraRays = 64;
 constexpr std::uint32_t MaximumSunRays = 4096;
 
 /// Radiance of emitters from which rays are traced toward them, as a multiple of the mean radiance of

@@ -265,6 +265,59 @@ TEST(vtkPenumbraEnvironment, CastsShadowsFromSun)
     .99 * ComputeSunIrradiance() * std::sin(SunLatitude));
 }
 
+TEST(vtkPenumbraEnvironment, FindsShadowEdgesThatHideLittleOfTheSun)
+{
+  vtkNew<vtkPenumbraEnvironment> environment;
+  environment->SetImage(MakeImage(Width, Rows, SunlitSky));
+  environment->SetUp(0.0, 0.0, 1.0);
+  const std::shared_ptr<const EnvironmentMap> map = environment->GetMap();
+  IlluminationSettings settings;
+  settings.Map = map;
+  constexpr int Edges = 40;
+  constexpr int Points = 50;
+  constexpr int Side = 64;
+  int wrong = 0;
+  int penumbra = 0;
+  for (int edge = 0; edge < Edges; ++edge)
+  {
+    // A half-plane at height 1, behind a line through the origin.
+    const float angle = 2.f * static_cast<float>(Pi) * (edge + .3f) / Edges;
+    const glm::vec3 across(std::cos(angle), std::sin(angle), 0.f);
+    const glm::vec3 along(-across.y, across.x, 0.f);
+    const glm::vec3 up(0.f, 0.f, 1.f);
+    Scene scene;
+    AddRectangle(scene, up - 50.f * along, 100.f * along, -50.f * across);
+    const RayScene rays(scene, 1);
+    const Illumination light(rays, settings);
+    const glm::vec3 sun = map->SampleSun({ .5f, .5f }).Direction;
+    for (int i = 0; i < Points; ++i)
+    {
+      const glm::vec3 point = (.02f * (static_cast<float>(i) / Points - .5f)) * across -
+        glm::vec3(sun.x, sun.y, 0.f) / sun.z;
+      double exact = 0.0;
+      double unshadowed = 0.0;
+      for (int k = 0; k < Side * Side; ++k)
+      {
+        const EnvironmentMap::Sun sample =
+          map->SampleSun((glm::vec2(k % Side, k / Side) + .5f) / static_cast<float>(Side));
+        const double value = sample.Direction.z * sample.Weight.x / (Pi * Side * Side);
+        const glm::vec3 hit = point + sample.Direction / sample.Direction.z;
+        exact += glm::dot(hit, across) > 0.f ? value : 0.0;
+        unshadowed += value;
+      }
+      penumbra += exact > 0.0 && exact < unshadowed ? 1 : 0;
+      long long count = 0;
+      const double tolerance = .01 * unshadowed;
+      const auto found =
+        light.EstimateSampledLight(point, glm::vec3(0.f, 0.f, 1.f), tolerance, count);
+      wrong +=
+        std::abs(found.Mean.x - exact) > std::max(2.0 * tolerance, 4.0 * found.Error) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(penumbra, 500);
+  EXPECT_EQ(wrong, 0);
+}
+
 TEST(vtkPenumbraEnvironment, TreatsIntegersAsSRGB)
 {
   vtkNew<vtkImageData> image;
