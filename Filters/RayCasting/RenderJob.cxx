@@ -125,6 +125,7 @@ void RenderJob::JoinPixels()
   auto effects = std::make_shared<LightEffects>();
   effects->Tolerance = this->GetEffectTolerance();
   effects->Light = this->Light;
+  effects->HasShadows = wanted.Shadows;
   if (wanted.HasOcclusion)
   {
     effects->Occlusion.emplace(this->Rays,

@@ -23,6 +23,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -329,4 +330,23 @@ TEST_F(JoinedIndirectLight, LeavesLinesAndPointsAsTheyAre)
   this->Caster->IndirectLightOn();
   this->Join(true);
   EXPECT_EQ(this->Render(), direct);
+}
+
+// Where all samples of a pixel are in the shadow, its color does not tell how much indirect light it has:
+// no surface of albedo a reflects more than 1 + a of a sun and an emitter of radiance 1.
+TEST_F(JoinedIndirectLight, HasNoSpecksWhereShadowsBegin)
+{
+  this->ShowSphereInSunlight();
+  this->Sphere->LightingOff();
+  this->Sphere->SetDiffuseColor(1.0, 1.0, 1.0);
+  this->Caster->SetEnvironmentColor(0.0, 0.0, 0.0);
+  this->Caster->SetResolution(96, 96);
+  this->Join(true);
+  for (const double angle : { 0.0, 15.0 })
+  {
+    this->Caster->SetLightAngle(angle);
+    const std::vector<float> image = this->Render();
+    EXPECT_LE(*std::max_element(image.begin(), image.end()), 1.8f) << angle;
+    EXPECT_LT(this->Caster->GetEstimatedError(), LightTolerance) << angle;
+  }
 }

@@ -301,7 +301,8 @@ private:
   float UniformLight;
   LitSamples<N> Samples;
   bool UsesColors; ///< the color of a pixel tells which parts of it the sites cover
-  int Round = 0;   ///< next one; 0: the sites are not known
+  bool HasShadows;
+  int Round = 0; ///< next one; 0: the sites are not known
 };
 
 template <int N>
@@ -313,7 +314,8 @@ JoinedLight<N>::JoinedLight(
     Tolerance(effects.Tolerance),
     UniformLight(effects.GetUniformLight()),
     Samples(tracer, this->Rays, this->UniformLight),
-    UsesColors(!tracer.HasShafts())
+    UsesColors(!tracer.HasShafts()),
+    HasShadows(effects.HasShadows)
 {
   this->Grid.SquaredRange = this->Rays.GetSquaredRange();
 }
@@ -390,9 +392,10 @@ float JoinedLight<N>::ComputeSquaredError(const LightSite<N>& site, float sample
 
 // The color of the whole pixel is known, that of its samples too: the change is predicted by linear
 // regression on the color, among the samples, as their mean differs from the pixel. Without variance,
-// the change is in proportion to the color. What the regression leaves of the difference between both
-// halves of the samples estimates the error. In a medium, the samples lack the light that it scatters: their
-// mean change is that of the pixel.
+// the change is in proportion to the color; with shadows, only that by occlusion, because indirect light
+// is the same on both sides of the boundary of a shadow. What the regression leaves of the difference between
+// both halves of the samples estimates the error. In a medium, the samples lack the light that it scatters:
+// their mean change is that of the pixel.
 template <int N>
 LightField::Change JoinedLight<N>::At(int x, int y) const
 {
@@ -404,6 +407,7 @@ LightField::Change JoinedLight<N>::At(int x, int y) const
   }
   glm::vec3 changes[Halves] = { glm::vec3(0.f), glm::vec3(0.f) };
   glm::vec3 products(0.f);
+  glm::vec3 proportional(0.f); // part of the changes that is in proportion to the color
   float squares = 0.f;
   const glm::vec2 counts(pixel.Samples[0], pixel.Samples[1]);
   const float samples = counts[0] + counts[1];
@@ -416,8 +420,10 @@ LightField::Change JoinedLight<N>::At(int x, int y) const
     };
     for (int half = 0; half < Halves; ++half)
     {
-      changes[half] +=
-        change(site.Colors[Terms::OcclusionTerm][half], site.Colors[Terms::RadianceTerm][half]);
+      const glm::vec3 occluded = site.Colors[Terms::OcclusionTerm][half];
+      const glm::vec3 reflectance = site.Colors[Terms::RadianceTerm][half];
+      changes[half] += change(occluded, reflectance);
+      proportional += change(occluded, this->HasShadows ? glm::vec3(0.f) : reflectance);
     }
     products += change(site.Products[Terms::OcclusionTerm], site.Products[Terms::RadianceTerm]);
     squares += this->ComputeSquaredError(site, samples);
@@ -430,7 +436,7 @@ LightField::Change JoinedLight<N>::At(int x, int y) const
   float parts = 0.f;
   for (int c = 0; c < 3; ++c)
   {
-    const float ratio = color[c] > 0.f ? change[c] / color[c] : 0.f;
+    const float ratio = color[c] > 0.f ? proportional[c] / (samples * color[c]) : 0.f;
     const float slope = this->UsesColors
       ? std::max((covariance[c] + ridge[c] * ratio) / (variance[c] + ridge[c]), -1.f)
       : 0.f;

@@ -48,6 +48,7 @@ struct LightEffects
   std::optional<OcclusionRays> Occlusion;
   std::shared_ptr<const Illumination> Light; ///< null: no indirect light
   double Tolerance = 0.0;                    ///< of their sum, on a white surface
+  bool HasShadows = false; ///< so that colors under uniform light do not tell the reflectance
 
   /// Indirect light of all surfaces with which the image is rendered first, see Shading::SetUniformLight().
   float GetUniformLight() const;
