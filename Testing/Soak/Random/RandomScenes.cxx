@@ -230,10 +230,11 @@ void Add(Random& random, RandomScene& scene, std::vector<Setting>& settings, dou
   }
 }
 
-void ChooseSettings(Random& random, const Place& place, RandomScene& scene)
+/// `frequency` multiplies the probabilities of light effects.
+void ChooseSettings(Random& random, const Place& place, double frequency, RandomScene& scene)
 {
   scene.Tolerance = 1.0 / random.Pick({ 64.0, 256.0, 256.0, 256.0, 512.0 });
-  scene.Shadows = random.Chance(0.25);
+  scene.Shadows = random.Chance(0.25 * frequency);
   const double tolerance = scene.Tolerance;
   std::vector<Setting> plain{ [tolerance](vtkPenumbraRayCaster* caster) {
     caster->SetTolerance(tolerance);
@@ -249,19 +250,19 @@ void ChooseSettings(Random& random, const Place& place, RandomScene& scene)
   {
     all.push_back([](vtkPenumbraRayCaster* c) { c->ShadowsOn(); });
     scene.Description += "shadows; ";
-    Add(random, scene, all, 0.2, "soft shadows",
+    Add(random, scene, all, 0.2 * frequency, "soft shadows",
       [radius = place.Unit * random.Between(0.05, 0.6), angle = random.Between(0.5, 20.0)](
         vtkPenumbraRayCaster* c) {
         c->SetLightRadius(radius);
         c->SetLightAngle(angle);
       });
   }
-  Add(random, scene, all, 0.06, "ambient occlusion",
+  Add(random, scene, all, 0.06 * frequency, "ambient occlusion",
     [radius = place.Unit * random.Scale(0.05, 10.0)](vtkPenumbraRayCaster* c) {
       c->AmbientOcclusionOn();
       c->SetAmbientOcclusionRadius(radius);
     });
-  Add(random, scene, all, 0.05, "indirect light",
+  Add(random, scene, all, 0.05 * frequency, "indirect light",
     [color = random.Color(), albedo = random.Unit(), bounces = 1 + random.Below(3)](
       vtkPenumbraRayCaster* c) {
       c->IndirectLightOn();
@@ -269,7 +270,7 @@ void ChooseSettings(Random& random, const Place& place, RandomScene& scene)
       c->SetAlbedo(albedo);
       c->SetBounces(bounces);
     });
-  Add(random, scene, all, 0.06, "medium",
+  Add(random, scene, all, 0.06 * frequency, "medium",
     [scattering = random.Scale(0.01, 0.3) / place.Unit](vtkPenumbraRayCaster* c) {
       vtkNew<vtkPenumbraMedium> medium;
       medium->SetScattering(scattering);
@@ -298,7 +299,7 @@ void ChooseSettings(Random& random, const Place& place, RandomScene& scene)
 
 }
 
-RandomScene MakeRandomScene(std::uint64_t seed, const std::vector<int>& kept)
+RandomScene MakeRandomScene(std::uint64_t seed, const std::vector<int>& kept, double effects)
 {
   RandomScene scene;
   scene.Window = vtkSmartPointer<vtkRenderWindow>::New();
@@ -311,13 +312,13 @@ RandomScene MakeRandomScene(std::uint64_t seed, const std::vector<int>& kept)
   Random view(seed, ViewStream);
   Random lights(seed, LightStream);
   Random background(seed, BackgroundStream);
-  Random effects(seed, EffectStream);
+  Random settings(seed, EffectStream);
   const Place place = MakePlace(view, scene);
   AddProps(seed, view, place, scene, kept);
   SetView(view, place, scene);
   AddLights(lights, place, scene);
   SetBackground(background, scene);
-  ChooseSettings(effects, place, scene);
+  ChooseSettings(settings, place, effects, scene);
   return scene;
 }
 

@@ -42,8 +42,10 @@ struct RandomScene
   std::function<void(vtkPenumbraRayCaster*)> ChoosePlain;
 };
 
-/// Makes a scene. `kept`: indices of the props to keep, all if empty.
-RandomScene MakeRandomScene(std::uint64_t seed, const std::vector<int>& kept = {});
+/// Makes a scene. `kept`: indices of the props to keep, all if empty. `effects` multiplies the
+/// probabilities of light effects.
+RandomScene MakeRandomScene(
+  std::uint64_t seed, const std::vector<int>& kept = {}, double effects = 1.0);
 
 }
 #endif
