@@ -19,8 +19,10 @@ set(penumbra_test_filter "")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Testing/once.txt")
 if (NOT PENUMBRA_TEST_ONCE)
   file(STRINGS "${PROJECT_SOURCE_DIR}/Testing/once.txt" penumbra_once_cases REGEX "^[A-Za-z]")
-  string(JOIN ":" penumbra_once_cases ${penumbra_once_cases})
-  set(penumbra_test_filter TEST_FILTER "-${penumbra_once_cases}")
+  set(penumbra_test_filter TEST_FILTER "-")
+  foreach (case IN LISTS penumbra_once_cases)
+    string(APPEND penumbra_test_filter "${case}:*/${case}/*:")
+  endforeach ()
 endif ()
 
 # Ends a test after this time with its stack printed; reports processes that it leaves behind.
