@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -270,24 +271,45 @@ std::vector<fs::path> FilesBelow(const Names& folders)
   return found;
 }
 
-TEST(Documentation, LinksLeadToFiles)
+/// Returns the anchors of the headings of a page, as hosts of repositories make them.
+Names FindAnchors(const std::string& page)
 {
-  const std::regex link(R"(\]\(([^)#:]+)[^):]*\))");
-  std::vector<fs::path> pages = { Root / "README.md", Root / "CHANGELOG.md",
-    Root / "CONTRIBUTING.md", Root / "Examples/README.md" };
-  for (const char* top : { "Documentation", "Benchmarks" })
+  static const std::regex heading("\n#+ ([^\n]*)"), target(R"(\]\([^)]*\))"), mark(R"([^\w\- ])");
+  Names anchors;
+  for (std::sregex_iterator i(page.begin(), page.end(), heading), end; i != end; ++i)
   {
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(Root / top))
+    std::string anchor = std::regex_replace((*i)[1].str(), target, "");
+    anchor = std::regex_replace(anchor, mark, "");
+    for (char& c : anchor)
     {
-      pages.push_back(entry.path());
+      c = c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
+    anchors.insert(anchor);
+  }
+  return anchors;
+}
+
+TEST(Documentation, LinksLeadToFilesAndHeadings)
+{
+  const std::regex link(R"(\]\(([^)#:]*)(?:#([^):]*))?\))");
+  std::vector<fs::path> pages = FilesBelow({ "Benchmarks", "Command", "Data", "Documentation",
+    "Examples", "Filters", "Plugin", "Python", "Rendering", "Testing" });
+  for (const char* name : { "README.md", "CHANGELOG.md", "CONTRIBUTING.md" })
+  {
+    pages.push_back(Root / name);
   }
   for (const fs::path& page : pages)
   {
     const std::string text = page.extension() == ".md" ? Text(page) : "";
-    for (std::sregex_iterator i(text.begin(), text.end(), link); i != std::sregex_iterator(); ++i)
+    for (std::sregex_iterator i(text.begin(), text.end(), link), end; i != end; ++i)
     {
-      EXPECT_TRUE(fs::exists(page.parent_path() / (*i)[1].str())) << page << ": " << (*i)[1];
+      const std::string path = (*i)[1];
+      const fs::path linked = path.empty() ? page : page.parent_path() / path;
+      EXPECT_TRUE(fs::exists(linked)) << page << ": " << path;
+      if ((*i)[2].matched && linked.extension() == ".md")
+      {
+        EXPECT_TRUE(FindAnchors(Text(linked)).count((*i)[2])) << page << ": " << (*i)[0];
+      }
     }
   }
 }
