@@ -365,7 +365,6 @@ TEST(InvalidUsage, PrintsOneLineError)
     { "bake", folder / "square.stl", "--output", folder / "baked.vtp", "--radius", "0" },
     { "bake", folder / "square.stl", "--output", folder / "baked.vtp", "--tolerance", "-1" },
     { "bake", folder / "missing.stl", "--output", folder / "baked.vtp" },
-    { "chart" },
     { "render" },
     { "render", folder / "square.stl" },
     { "render", "--output", folder / "p.png" },

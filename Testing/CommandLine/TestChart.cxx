@@ -148,7 +148,10 @@ TEST(Chart, RejectsInvalidFoldersAndMeshes)
     { "chart", folder / "none.ply", "--quick", "--family", "aa", "--output", folder / "x" });
   EXPECT_EQ(none.Status, 2);
   EXPECT_EQ(CountLines(none.Errors), 1) << none.Errors;
-  EXPECT_EQ(RunProgram({ "chart" }).Status, 2);
+  const ProgramResult empty = RunProgram({ "chart" });
+  EXPECT_EQ(empty.Status, 2);
+  EXPECT_EQ(CountLines(empty.Errors), 1) << empty.Errors;
+  EXPECT_EQ(empty.Output, "");
 }
 
 }
