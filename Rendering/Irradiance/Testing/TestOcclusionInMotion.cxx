@@ -106,6 +106,15 @@ void WidenWindow(OcclusionScene& scene, vtkActor*, vtkPolyData*, int frame)
   scene.Window->SetSize(200 + 12 * frame, 240);
 }
 
+/// A static view, and then a wider one. The sides of the image are not multiples of the tiles that receive
+/// samples.
+void ZoomOut(OcclusionScene& scene, vtkActor*, vtkPolyData*, int frame)
+{
+  scene.Window->SetSize(340, 250);
+  scene.Renderer->GetActiveCamera()->Dolly(frame > Frames - 2 ? 1.0 / 1.2 : 1.0);
+  scene.Renderer->ResetCameraClippingRange();
+}
+
 void Cut(OcclusionScene& scene, vtkActor*, vtkPolyData*, int frame)
 {
   scene.Renderer->GetActiveCamera()->Azimuth(frame == Frames ? 120.0 : 0.0);
@@ -194,6 +203,7 @@ INSTANTIATE_TEST_SUITE_P(All, OcclusionInMotion,
     Motion{ "Orbit", "march", 0.004, 0.018, Orbit },
     Motion{ "PassingSpheres", "march", 0.012, 0.032, PassSpheres },
     Motion{ "WiderWindow", "march", 0.002, 0.016, WidenWindow },
+    Motion{ "ZoomOut", "march", 0.005, 0.016, ZoomOut },
     Motion{ "Cut", "march", 0.002, 0.012, Cut },
     Motion{ "ScaledActor", "march", 0.003, 0.019, ScaleActor },
     Motion{ "ThrobbingActor", "march", 0.003, 0.019, ThrobActor },

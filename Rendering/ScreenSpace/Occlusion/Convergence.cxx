@@ -17,6 +17,15 @@ namespace
 /// Width and height of a tile, in pixels.
 constexpr int TileSide = 16;
 
+/// Returns the tile at a position, as far as it lies in the image.
+Rectangle MakeTile(int x, int y, const Rectangle& image)
+{
+  const int left = std::max(x, image.X);
+  const int bottom = std::max(y, image.Y);
+  return { left, bottom, std::min(x + TileSide, image.X + image.Width) - left,
+    std::min(y + TileSide, image.Y + image.Height) - bottom };
+}
+
 }
 
 void Convergence::Restart(double staleSamples)
@@ -48,8 +57,8 @@ int Convergence::GetSamplesUntilCheck() const
   return std::max(FirstConvergenceCheck, 2 * this->SamplesAtCheck) - this->Samples;
 }
 
-void Convergence::Add(
-  int samples, int width, double tolerance, const std::function<std::vector<float>()>& read)
+void Convergence::Add(int samples, int width, const Rectangle& image, double tolerance,
+  const std::function<std::vector<float>()>& read)
 {
   this->Samples += samples;
   if (this->GetSamplesUntilCheck() > 0)
@@ -59,13 +68,14 @@ void Convergence::Add(
   std::vector<float> now = read();
   if (now.size() == this->PreviousValues.size() && width > 0)
   {
-    this->UpdateTileErrors(now, width, tolerance);
+    this->UpdateTileErrors(now, width, image, tolerance);
   }
   this->PreviousValues = std::move(now);
   this->SamplesAtCheck = this->Samples;
 }
 
-void Convergence::UpdateTileErrors(const std::vector<float>& now, int width, double tolerance)
+void Convergence::UpdateTileErrors(
+  const std::vector<float>& now, int width, const Rectangle& image, double tolerance)
 {
   const int height = static_cast<int>(now.size()) / width;
   // If c stale samples have the error e, c e / (c + 2 n) remains after 2 n new samples: the change
@@ -107,13 +117,13 @@ void Convergence::UpdateTileErrors(const std::vector<float>& now, int width, dou
       this->TileErrors[tile] = error;
       continue;
     }
-    const Rectangle rectangle{ tile % columns * TileSide, tile / columns * TileSide, TileSide,
-      TileSide };
+    const Rectangle rectangle =
+      MakeTile(tile % columns * TileSide, tile / columns * TileSide, image);
     const bool joins = !this->ActiveTiles.empty() && this->ActiveTiles.back().Y == rectangle.Y &&
       this->ActiveTiles.back().X + this->ActiveTiles.back().Width == rectangle.X;
     if (joins)
     {
-      this->ActiveTiles.back().Width += TileSide;
+      this->ActiveTiles.back().Width += rectangle.Width;
     }
     else
     {

@@ -28,9 +28,10 @@ public:
   void ReactivateTiles();
 
   /// Records `samples` more samples in the active tiles and updates the errors when a check is due.
-  /// `read` returns the image: one value per pixel, row by row, negative at empty pixels.
-  void Add(
-    int samples, int width, double tolerance, const std::function<std::vector<float>()>& read);
+  /// `read` returns the image with its margin, which is negative: one value per pixel, row by row in rows of
+  /// `width` pixels, negative at empty pixels. Active tiles end at `image`, so that the margin never has samples.
+  void Add(int samples, int width, const Rectangle& image, double tolerance,
+    const std::function<std::vector<float>()>& read);
 
   /// Sets the state of an image whose error is known: of the whole image, or of its worst tile.
   void SetError(int samples, double error, bool isDone);
@@ -57,7 +58,8 @@ public:
   double GetLargestError() const { return this->LargestError; }
 
 private:
-  void UpdateTileErrors(const std::vector<float>& now, int width, double tolerance);
+  void UpdateTileErrors(
+    const std::vector<float>& now, int width, const Rectangle& image, double tolerance);
 
   double StaleSamples = 0.0;
   int Samples = 0;

@@ -328,8 +328,8 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
     byPixel ? std::max(constants.FirstSamples, samples) : this->NewSamples;
   if (change != EyeDepth::Change::Moved)
   {
-    this->TileConvergence.Add(samples, this->Image.GetView().Width, settings.Tolerance,
-      [this]() { return this->ReadMeans(); });
+    this->TileConvergence.Add(samples, this->Image.GetView().Width, this->InnerRegion.front(),
+      settings.Tolerance, [this]() { return this->ReadMeans(); });
   }
   return true;
 }
