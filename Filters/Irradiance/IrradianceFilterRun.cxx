@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Checks of the settings, errors and warnings of vtkPenumbraIrradianceFilter.
+// Checks and descriptions of the settings, errors and warnings of vtkPenumbraIrradianceFilter.
 #include "vtkPenumbraIrradianceFilter.h"
 
 #include "Distribution/OccluderDistribution.h"
@@ -10,6 +10,7 @@
 
 #include "vtkFieldData.h"
 #include "vtkPenumbraEnvironment.h"
+#include "vtkPenumbraGatherer.h"
 #include "vtkSMPTools.h"
 
 #include <cmath>
@@ -104,4 +105,48 @@ void vtkPenumbraIrradianceFilter::Warn(const std::vector<std::string>& sentences
       vtkWarningMacro(<< sentence);
     }
   }
+}
+
+const char* vtkPenumbraIrradianceFilter::GetQuantityAsString()
+{
+  static const char* const names[] = { "AmbientOcclusion", "Irradiance", "DirectLight" };
+  return names[this->Quantity];
+}
+
+const char* vtkPenumbraIrradianceFilter::GetFalloffAsString()
+{
+  static const char* const names[] = { "None", "Linear", "Quadratic", "SquareRoot" };
+  return names[this->Falloff];
+}
+
+const char* vtkPenumbraIrradianceFilter::GetMethodAsString()
+{
+  static const char* const names[] = { "Automatic", "BruteForce" };
+  return names[this->Method];
+}
+
+void vtkPenumbraIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Quantity: " << this->GetQuantityAsString() << "\n";
+  os << indent << "Lights: " << this->Lights.size() << "\n";
+  os << indent << "LightRadius: " << this->LightRadius << "\n";
+  os << indent << "LightAngle: " << this->LightAngle << "\n";
+  os << indent << "EnvironmentColor: " << this->EnvironmentColor[0] << " "
+     << this->EnvironmentColor[1] << " " << this->EnvironmentColor[2] << "\n";
+  os << indent << "Albedo: " << this->Albedo << "\n";
+  os << indent << "Bounces: " << this->Bounces << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Falloff: " << this->GetFalloffAsString() << "\n";
+  os << indent << "OnCells: " << this->OnCells << "\n";
+  os << indent << "ComputeNormals: " << this->ComputeNormals << "\n";
+  os << indent << "OpacityArray: " << (this->OpacityArray ? this->OpacityArray : "(none)") << "\n";
+  os << indent << "PointRadius: " << this->PointRadius << "\n";
+  os << indent << "LineRadius: " << this->LineRadius << "\n";
+  os << indent << "Environment: " << this->Environment.Get() << "\n";
+  os << indent << "Gatherer: " << this->Gatherer.Get() << "\n";
+  os << indent << "Method: " << this->GetMethodAsString() << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "EstimatedError: " << this->EstimatedError << "\n";
 }

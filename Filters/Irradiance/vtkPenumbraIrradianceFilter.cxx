@@ -382,6 +382,7 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   const LightGatherer& rayGatherer = work.Reflections->GetGatherer();
   const std::unique_ptr<penumbra::Gatherer> customGatherer =
     this->Gatherer && records ? this->Gatherer->Make(rayGatherer) : nullptr;
+  work.Settings.CoverageWeight = MinimumLightWeight; // of the last reflection only
   RecordPlacement placement(
     customGatherer ? *customGatherer : static_cast<const penumbra::Gatherer&>(rayGatherer),
     work.Settings, work.Tree);
@@ -453,48 +454,4 @@ void vtkPenumbraIrradianceFilter::Report(const Work& work, vtkIdType size)
   {
     this->Gatherer->Report(s);
   }
-}
-
-const char* vtkPenumbraIrradianceFilter::GetQuantityAsString()
-{
-  static const char* const names[] = { "AmbientOcclusion", "Irradiance", "DirectLight" };
-  return names[this->Quantity];
-}
-
-const char* vtkPenumbraIrradianceFilter::GetFalloffAsString()
-{
-  static const char* const names[] = { "None", "Linear", "Quadratic", "SquareRoot" };
-  return names[this->Falloff];
-}
-
-const char* vtkPenumbraIrradianceFilter::GetMethodAsString()
-{
-  static const char* const names[] = { "Automatic", "BruteForce" };
-  return names[this->Method];
-}
-
-void vtkPenumbraIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Quantity: " << this->GetQuantityAsString() << "\n";
-  os << indent << "Lights: " << this->Lights.size() << "\n";
-  os << indent << "LightRadius: " << this->LightRadius << "\n";
-  os << indent << "LightAngle: " << this->LightAngle << "\n";
-  os << indent << "EnvironmentColor: " << this->EnvironmentColor[0] << " "
-     << this->EnvironmentColor[1] << " " << this->EnvironmentColor[2] << "\n";
-  os << indent << "Albedo: " << this->Albedo << "\n";
-  os << indent << "Bounces: " << this->Bounces << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "Falloff: " << this->GetFalloffAsString() << "\n";
-  os << indent << "OnCells: " << this->OnCells << "\n";
-  os << indent << "ComputeNormals: " << this->ComputeNormals << "\n";
-  os << indent << "OpacityArray: " << (this->OpacityArray ? this->OpacityArray : "(none)") << "\n";
-  os << indent << "PointRadius: " << this->PointRadius << "\n";
-  os << indent << "LineRadius: " << this->LineRadius << "\n";
-  os << indent << "Environment: " << this->Environment.Get() << "\n";
-  os << indent << "Gatherer: " << this->Gatherer.Get() << "\n";
-  os << indent << "Method: " << this->GetMethodAsString() << "\n";
-  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
-  os << indent << "EstimatedError: " << this->EstimatedError << "\n";
 }

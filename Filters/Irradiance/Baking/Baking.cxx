@@ -93,11 +93,12 @@ void ForEach(std::size_t count, double fraction, const ProgressCallback& progres
 
 /// Returns the points of `from` that no record covers.
 std::vector<std::size_t> FindUncovered(const std::vector<RecordCandidate>& sites,
-  const RecordOctree& tree, const std::vector<std::size_t>& from, const ProgressCallback& progress)
+  const RecordPlacement& placement, const std::vector<std::size_t>& from,
+  const ProgressCallback& progress)
 {
   std::vector<char> covered(from.size());
-  ForEach(from.size(), 1.0, progress,
-    [&](int i) { covered[i] = RecordPlacement::IsCovered(tree, sites[from[i]]); });
+  ForEach(
+    from.size(), 1.0, progress, [&](int i) { covered[i] = placement.IsCovered(sites[from[i]]); });
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < from.size(); ++i)
   {
@@ -151,7 +152,7 @@ std::vector<RecordCandidate> FindObstacles(const std::vector<RecordCandidate>& s
 
 /// Places records from coarse to fine. Returns false if stopped.
 bool PlaceRecords(const BakeInput& mesh, const Obstacles& obstacles, double minimumCovered,
-  RecordPlacement& placement, const RecordOctree& tree, const ProgressCallback& progress)
+  RecordPlacement& placement, const ProgressCallback& progress)
 {
   const std::vector<RecordCandidate>& sites = mesh.Sites;
   std::vector<std::size_t> left(sites.size());
@@ -172,7 +173,7 @@ bool PlaceRecords(const BakeInput& mesh, const Obstacles& obstacles, double mini
       return false;
     }
     const std::size_t before = left.size();
-    left = FindUncovered(sites, tree, left, step);
+    left = FindUncovered(sites, placement, left, step);
     const auto made = static_cast<double>(std::max<std::size_t>(chosen.size(), 1));
     const double serving =
       1.0 - static_cast<double>(placement.GetNumberOfInvalidRecords() - invalid) / made;
@@ -188,14 +189,15 @@ bool PlaceRecords(const BakeInput& mesh, const Obstacles& obstacles, double mini
 /// Sets the values of points that can be interpolated or that have a record. Returns the other
 /// points.
 std::vector<std::size_t> Interpolate(const std::vector<RecordCandidate>& sites,
-  const RecordOctree& tree, double fraction, const ProgressCallback& progress, BakedValues& result)
+  const RecordOctree& tree, float minimumWeight, double fraction, const ProgressCallback& progress,
+  BakedValues& result)
 {
   std::vector<char> unresolved(sites.size());
   std::atomic<std::size_t> interpolated(0);
   ForEach(sites.size(), fraction, progress, [&](int i) {
     // Records of less weight do not cover the point: it is at the very end of their radius.
     const InterpolationResult found = tree.LookUp(sites[i]);
-    const bool isCovered = found.MaximumWeight > MinimumWeight;
+    const bool isCovered = found.MaximumWeight > minimumWeight;
     const Record* here = isCovered ? nullptr : tree.FindAt(sites[i]);
     if (isCovered)
     {
@@ -376,12 +378,13 @@ bool Bake(const BakeInput& mesh, const RayScene& rays, bool records, RecordPlace
   const bool denoises = records && estimators.LowSample;
   if (records &&
     !PlaceRecords(mesh, Obstacles(mesh, rays),
-      denoises ? MinimumCoveredPointsDenoised : MinimumCoveredPoints, placement, tree, progress))
+      denoises ? MinimumCoveredPointsDenoised : MinimumCoveredPoints, placement, progress))
   {
     return false;
   }
   const double begin = records ? RecordProgress : 0.0;
-  const std::vector<std::size_t> left = Interpolate(sites, tree, begin, progress, result);
+  const std::vector<std::size_t> left =
+    Interpolate(sites, tree, placement.GetCoverageWeight(), begin, progress, result);
   PointEvaluator evaluator{ sites, estimators, result };
   if (!denoises)
   {

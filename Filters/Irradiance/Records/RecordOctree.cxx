@@ -272,14 +272,20 @@ const RecordOctree::Node& RecordOctree::LeafAt(glm::vec3 position) const
 InterpolationResult RecordOctree::LookUp(const ShadingPoint& point) const
 {
   RecordInterpolator interpolator;
+  float invalidWeight = 0.f;
   this->ForEachAround(point.Position, [&](const Record& record) {
-    const float weight = record.IsValid ? record.Weight(point, this->NormalFactor) : 0.f;
-    if (weight > 0.f)
+    const float weight = record.Weight(point, this->NormalFactor);
+    if (!record.IsValid)
+    {
+      invalidWeight = std::max(invalidWeight, weight);
+    }
+    else if (weight > 0.f)
     {
       interpolator.Add(record, point, weight);
     }
   });
-  return interpolator.Result();
+  const InterpolationResult result = interpolator.Result();
+  return result.MaximumWeight < invalidWeight ? InterpolationResult() : result;
 }
 
 float RecordOctree::MaximumWeightAt(const ShadingPoint& point) const

@@ -41,7 +41,8 @@ public:
   /// `minimumPixels` times MaximumPlaneDistance, the size of a pixel at the record.
   void InsertClamped(Record record, float minimumPixels, bool clampReached = false);
 
-  /// Interpolates between the valid records around `point`.
+  /// Interpolates between the valid records around `point`. Finds nothing if an invalid record has
+  /// the largest weight: the mean changes too fast there.
   InterpolationResult LookUp(const ShadingPoint& point) const;
 
   /// Returns the maximum weight of a record at `point`, including invalid records.

@@ -445,10 +445,9 @@ double RecordPlacement::ComputeRadius(const HemisphereEstimate& estimate) const
   }
 }
 
-bool RecordPlacement::IsCovered(
-  const RecordOctree& tree, const ShadingPoint& shadingPoint, float minimumWeight)
+bool RecordPlacement::IsCovered(const ShadingPoint& shadingPoint) const
 {
-  return tree.MaximumWeightAt(shadingPoint) > minimumWeight;
+  return this->Tree.MaximumWeightAt(shadingPoint) > this->Settings.CoverageWeight;
 }
 
 bool RecordPlacement::AddLevel(
@@ -462,7 +461,7 @@ bool RecordPlacement::AddLevel(
   };
   std::vector<Outcome> outcomes(sites.size());
   if (!ParallelForWithProgress(static_cast<int>(sites.size()), 0.0, 1.0, progress, [&](int i) {
-        if (!IsCovered(this->Tree, sites[i], this->Settings.CoverageWeight))
+        if (!this->IsCovered(sites[i]))
         {
           outcomes[i].Made = this->Gather(sites[i], outcomes[i].Rays);
         }

@@ -62,10 +62,10 @@ public:
   /// requested a stop.
   bool AddLevel(const std::vector<RecordCandidate>& sites, const ProgressCallback& progress = {});
 
-  /// Returns true if a record at `shadingPoint` has more than the given weight, so that no further
-  /// record is needed.
-  static bool IsCovered(const RecordOctree& tree, const ShadingPoint& shadingPoint,
-    float minimumWeight = MinimumWeight);
+  /// Returns true if a record at `shadingPoint` has more than the coverage weight, so that no
+  /// further record is needed.
+  bool IsCovered(const ShadingPoint& shadingPoint) const;
+  float GetCoverageWeight() const { return this->Settings.CoverageWeight; }
 
   /// Returns a record at `site`, or nothing if that lies in a concave edge, where two surfaces
   /// meet. Adds the number of rays traced to `rays`.

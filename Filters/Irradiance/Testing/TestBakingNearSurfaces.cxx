@@ -9,6 +9,7 @@
 #include "SphereOnFloor.h"
 
 #include "vtkCellData.h"
+#include "vtkCubeSource.h"
 #include "vtkMath.h"
 
 #include <gtest/gtest.h>
@@ -103,6 +104,41 @@ Errors ComputePlateErrors(bool onCells, bool up, int side, double h, double radi
   return errors;
 }
 
+/// Returns a sphere and three boxes on a floor and close to it.
+vtkSmartPointer<vtkPolyData> MakeObjectsOnFloor()
+{
+  constexpr double Boxes[][6] = { { 1.03, 2.03, -.02, .98, .01, 1.0 },
+    { -.5, -.1, -2.5, -2.1, .05, .5 }, { 1.0, 3.0, -4.5, -2.5, .4, .6 } };
+  vtkNew<vtkAppendPolyData> append;
+  append->AddInputConnection(MakeFloor(80)->GetOutputPort());
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(-2.0, .5, 1.0);
+  sphere->SetRadius(1.0);
+  sphere->SetThetaResolution(64);
+  sphere->SetPhiResolution(64);
+  append->AddInputConnection(sphere->GetOutputPort());
+  for (const double* bounds : Boxes)
+  {
+    vtkNew<vtkCubeSource> box;
+    box->SetBounds(bounds);
+    append->AddInputConnection(box->GetOutputPort());
+  }
+  append->Update();
+  return append->GetOutput();
+}
+
+vtkSmartPointer<vtkDataArray> BakeIrradiance(vtkPolyData* mesh, int method, double tolerance)
+{
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(mesh);
+  filter->SetQuantity(vtkPenumbraIrradianceFilter::IRRADIANCE);
+  filter->SetMethod(method);
+  filter->SetTolerance(tolerance);
+  filter->SetAlbedo(0.0);
+  filter->Update();
+  return GetPolyData(filter)->GetPointData()->GetArray("Irradiance");
+}
+
 class PlatesOnAssociation : public testing::TestWithParam<bool>
 {
 };
@@ -168,4 +204,21 @@ TEST(BakingNearSurfaces, MeetsToleranceOnCoarseFloorUnderFineSphere)
       }
     }
   }
+}
+
+TEST(BakingNearSurfaces, DoesNotInterpolateWhereIrradianceChangesFast)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = MakeObjectsOnFloor();
+  constexpr double Tolerance = .02;
+  const auto values = BakeIrradiance(mesh, vtkPenumbraIrradianceFilter::AUTOMATIC, Tolerance);
+  const auto references =
+    BakeIrradiance(mesh, vtkPenumbraIrradianceFilter::BRUTE_FORCE, .25 * Tolerance);
+  double square = 0.0;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const double error = values->GetComponent(i, 0) - references->GetComponent(i, 0);
+    square += error * error / static_cast<double>(mesh->GetNumberOfPoints());
+    EXPECT_LE(std::abs(error), 5.0 * Tolerance) << i;
+  }
+  EXPECT_LE(std::sqrt(square), Tolerance);
 }

@@ -228,3 +228,24 @@ TEST(RecordOctree, KeepsMinimumRadiusWhenClamping)
   EXPECT_EQ(tree.FindAt(coarse)->Radius, 6.f);
   EXPECT_EQ(tree.FindAt(fine)->Radius, .5f);
 }
+
+TEST(RecordOctree, FindsNothingNearestToInvalidRecord)
+{
+  Record valid;
+  valid.Radius = 10.f;
+  valid.Gathered.Clearance.fill(100.f);
+  Record invalid = valid;
+  invalid.Position.x = 9.f;
+  invalid.Radius = 5.f;
+  invalid.IsValid = false;
+  RecordOctree tree;
+  tree.Initialize(glm::vec3(0.f), 20.f);
+  tree.Insert(valid);
+  tree.Insert(invalid);
+  ShadingPoint point;
+  for (const float x : { 0.f, 3.f, 5.5f, 6.5f, 8.f, 9.5f, 12.f })
+  {
+    point.Position.x = x;
+    EXPECT_EQ(tree.LookUp(point).Found(), x < 6.f) << x; // weights are equal at 6
+  }
+}
