@@ -355,7 +355,9 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   const double tolerance = this->Tolerance / vtkMath::Pi(); // for the mean over the hemisphere
   work.Settings.Radiance = radiance;
   work.Settings.Tolerance = HessianErrorFraction * tolerance;
-  work.Settings.Side = RecordPlacement::ComputeSide(RecordNoiseFactor * tolerance);
+  // The noise increases with the largest radiance, which few rays meet.
+  work.Settings.Side = RecordPlacement::ComputeSide(
+    RecordNoiseFactor * tolerance * std::sqrt(radiance / light.GetSourceRadiance().Largest));
   const float angle = RecordPlacement::ComputeNormalAngle(RotationErrorFraction * tolerance);
   work.Tree.SetNormalAngle(angle);
 

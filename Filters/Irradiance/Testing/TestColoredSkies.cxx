@@ -12,10 +12,13 @@
 #include "SphereOnFloor.h"
 #include "Surface.h"
 
+#include "vtkCubeSource.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPenumbraBruteForceIrradiance.h"
+#include "vtkPenumbraEnvironment.h"
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraIrradianceFilter.h"
 #include "vtkPointData.h"
@@ -118,15 +121,32 @@ vtkSmartPointer<vtkPolyData> MakeSmallMesh()
   return all->GetOutput();
 }
 
-std::vector<glm::dvec3> Bake(vtkPolyData* mesh, glm::dvec3 sky, int method, double tolerance = .1)
+/// Returns slabs on a floor, which the sun lights from one side.
+vtkSmartPointer<vtkPolyData> MakeSlabs()
 {
-  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  vtkNew<vtkAppendPolyData> all;
+  all->AddInputConnection(MakeFloor(24)->GetOutputPort());
+  for (int i = 0; i < 36; ++i)
+  {
+    const double x = 1.7 * (i % 6) - 4.9;
+    const double y = 1.7 * (i / 6) - 4.9;
+    vtkNew<vtkCubeSource> slab;
+    slab->SetBounds(x, x + .5, y, y + .1, .1, 1.1);
+    slab->Update();
+    all->AddInputData(slab->GetOutput());
+  }
+  all->Update();
+  return all->GetOutput();
+}
+
+std::vector<glm::dvec3> Bake(
+  vtkPolyData* mesh, vtkPenumbraIrradianceFilter* filter, int method, double tolerance)
+{
   filter->SetInputData(mesh);
   filter->SetQuantity(vtkPenumbraIrradianceFilter::IRRADIANCE);
   filter->SetMethod(method);
   filter->SetTolerance(tolerance);
   filter->SetBounces(2);
-  filter->SetEnvironmentColor(sky.x, sky.y, sky.z);
   filter->Update();
   vtkDataArray* array = GetPolyData(filter)->GetPointData()->GetArray("Irradiance");
   std::vector<glm::dvec3> values;
@@ -136,6 +156,21 @@ std::vector<glm::dvec3> Bake(vtkPolyData* mesh, glm::dvec3 sky, int method, doub
       array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2));
   }
   return values;
+}
+
+std::vector<glm::dvec3> Bake(vtkPolyData* mesh, glm::dvec3 sky, int method, double tolerance = .1)
+{
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetEnvironmentColor(sky.x, sky.y, sky.z);
+  return Bake(mesh, filter, method, tolerance);
+}
+
+std::vector<glm::dvec3> Bake(
+  vtkPolyData* mesh, vtkPenumbraEnvironment* sky, int method, double tolerance)
+{
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetEnvironment(sky);
+  return Bake(mesh, filter, method, tolerance);
 }
 
 }
@@ -224,6 +259,31 @@ TEST(BrightSky, ScalesBakedIrradiance)
       }
     }
   }
+}
+
+TEST(BrightSky, MeetsToleranceOfBakedIrradianceUnderSun)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(64, 32, 1);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  for (int i = 0; i < 64 * 32; ++i)
+  {
+    const bool isSun = i == 24 * 64 + 44;
+    image->SetScalarComponentFromDouble(i % 64, i / 64, 0, 0, isSun ? 1e5 : .3);
+  }
+  vtkNew<vtkPenumbraEnvironment> sky;
+  sky->SetImage(image);
+  sky->SetUp(0.0, 0.0, 1.0);
+  const auto mesh = MakeSlabs();
+  constexpr double Tolerance = .03;
+  const auto values = Bake(mesh, sky, vtkPenumbraIrradianceFilter::AUTOMATIC, Tolerance);
+  const auto exact = Bake(mesh, sky, vtkPenumbraIrradianceFilter::BRUTE_FORCE, .2 * Tolerance);
+  double squares = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    squares += std::pow(values[i].x - exact[i].x, 2.0) / static_cast<double>(values.size());
+  }
+  EXPECT_LE(std::sqrt(squares), Tolerance * sky->GetMap()->GetMeanRadiance());
 }
 
 TEST(SourceRadiance, IsThatOfSkiesAndLights)
