@@ -48,6 +48,10 @@ namespace
 
 using namespace penumbra;
 
+/// Distance up to which a record is used toward a wall, as a fraction of the wall's distance. Points
+/// of a mesh often lie in the plane of a wall, whose edge decides what they see.
+constexpr float WallFraction = 0.9f;
+
 /// Adds the light of suns and sampled emitters, which records do not include, to the values that are not
 /// `complete`. Returns false if stopped.
 bool AddSampledLight(const Illumination& light, const std::vector<RecordCandidate>& sites,
@@ -385,6 +389,7 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   const std::unique_ptr<penumbra::Gatherer> customGatherer =
     this->Gatherer && records ? this->Gatherer->Make(rayGatherer) : nullptr;
   work.Settings.CoverageWeight = MinimumLightWeight; // of the last reflection only
+  work.Settings.ClearanceFraction = WallFraction;
   RecordPlacement placement(
     customGatherer ? *customGatherer : static_cast<const penumbra::Gatherer&>(rayGatherer),
     work.Settings, work.Tree);

@@ -30,6 +30,21 @@ float ComputeHeight(const Surface& surface, std::uint32_t primitive, const Recor
   return std::max({ height(a), height(b), height(c) });
 }
 
+/// Returns true if the plane of a triangle that faces a query point passes through it.
+bool FacesContact(
+  const Surface& surface, std::uint32_t primitive, const RecordCandidate& site, float height)
+{
+  if (surface.IsRound())
+  {
+    return false;
+  }
+  const glm::vec3 area = surface.ComputeNormal(primitive);
+  const glm::vec3 a = surface.GetPoints(primitive)[0];
+  const float length = glm::length(area);
+  return glm::dot(area, site.Normal) < -FlatCosine * length &&
+    std::abs(glm::dot(area, a - site.Position)) <= height * length;
+}
+
 }
 
 Obstacles::Obstacles(const BakeInput& mesh, const RayScene& rays)
@@ -130,7 +145,9 @@ bool Obstacles::IsObstacle(
       }
     }
   }
-  return ComputeHeight(this->Rays.GetScene().Surfaces[surface], primitive, site) > height;
+  const Surface& other = this->Rays.GetScene().Surfaces[surface];
+  return ComputeHeight(other, primitive, site) > height ||
+    FacesContact(other, primitive, site, height);
 }
 
 float Obstacles::FindDistance(const RecordCandidate& site, float radius) const

@@ -321,6 +321,10 @@ std::optional<Record> RecordPlacement::Gather(const RecordCandidate& site, long 
       gradient *= static_cast<float>(radius) / record.Radius;
     }
   }
+  for (float& clearance : record.Gathered.Clearance)
+  {
+    clearance *= this->Settings.ClearanceFraction;
+  }
   // A larger distance would include parallel surfaces, such as the floors of shallow pockets.
   record.MaximumPlaneDistance = site.Pixel;
   return record;

@@ -39,6 +39,7 @@ struct RecordPlacementSettings
   bool KeepAllValid = false; ///< keep records valid that would need less than the minimum radius
   float CoverageWeight = MinimumWeight; ///< see IsCovered()
   bool ClampReached = false;            ///< see RecordOctree::InsertClamped()
+  float ClearanceFraction = 1.f;        ///< of the distance of a wall up to which a record is used
 };
 
 /// Point at which a record may be placed.

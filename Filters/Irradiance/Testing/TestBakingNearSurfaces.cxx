@@ -104,7 +104,8 @@ Errors ComputePlateErrors(bool onCells, bool up, int side, double h, double radi
   return errors;
 }
 
-/// Returns a sphere and three boxes on a floor and close to it.
+/// Returns a sphere and three boxes on a floor and close to it, and a wall behind a narrow gap, whose
+/// lowest points see light from below.
 vtkSmartPointer<vtkPolyData> MakeObjectsOnFloor()
 {
   constexpr double Boxes[][6] = { { 1.03, 2.03, -.02, .98, .01, 1.0 },
@@ -117,6 +118,12 @@ vtkSmartPointer<vtkPolyData> MakeObjectsOnFloor()
   sphere->SetThetaResolution(64);
   sphere->SetPhiResolution(64);
   append->AddInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkPlaneSource> wall;
+  wall->SetOrigin(-6.0, 6.05, 0.0);
+  wall->SetPoint1(6.0, 6.05, 0.0);
+  wall->SetPoint2(-6.0, 6.05, 6.0);
+  wall->SetResolution(60, 30);
+  append->AddInputConnection(wall->GetOutputPort());
   for (const double* bounds : Boxes)
   {
     vtkNew<vtkCubeSource> box;
