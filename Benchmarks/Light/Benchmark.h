@@ -50,6 +50,9 @@ void MeasurePenumbrae(LightBenchmark& benchmark);
 /// Time of the same penumbrae relative to that of POV-Ray's area light at equal error.
 void ComparePenumbrae(LightBenchmark& benchmark);
 
+/// Time of ambient occlusion of two gyroids relative to that of F3D, see Benchmarks/Peers.
+void CompareWithF3D(LightBenchmark& benchmark);
+
 /// Occlusion of a floor by translucent panes, by rays, cache, baking and the traced estimator.
 void MeasurePanes(LightBenchmark& benchmark);
 

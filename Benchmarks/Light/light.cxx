@@ -47,7 +47,7 @@ int main(int argc, char** argv)
   program.Title = "Light: measurements and targets";
   program.Usage = "--data FOLDER --output FOLDER [--povray PROGRAM] [--width N] [--mesh NAME] "
                   "[--inverse-tolerance N] [--provider automatic|joined|cache|brute-force] [--only "
-                  "occlusion|indirect|skies|baking|emitters|box|panes|penumbrae|povray]";
+                  "occlusion|indirect|skies|baking|emitters|box|panes|penumbrae|povray|f3d]";
   program.Values = { { "--data", &benchmark.Data, true }, { "--output", &benchmark.Output, true },
     { "--povray", &benchmark.PovRay }, { "--width", &benchmark.Width },
     { "--mesh", &benchmark.Mesh }, { "--inverse-tolerance", &benchmark.InverseTolerance },
@@ -62,6 +62,7 @@ int main(int argc, char** argv)
     { "panes", [&] { MeasurePanes(benchmark); } },
     { "penumbrae", [&] { MeasurePenumbrae(benchmark); } },
     { "povray", [&] { ComparePenumbrae(benchmark); } },
+    { "f3d", [&] { CompareWithF3D(benchmark); } },
   };
   vtkSMPTools::Initialize(1);
   return program.Run(argc, argv, benchmark.Results, benchmark.Output, [] {
