@@ -46,7 +46,7 @@ bool IsRepeated(const std::string& text, const std::string& word)
 /// Returns the uniforms that can be moved, the largest first, so that they fill the inputs.
 std::vector<Uniform> FindUniforms(const std::string& shader)
 {
-  static const std::regex declaration("\\buniform (int|float|vec2|vec3|vec4|mat4) (\\w+);");
+  static const std::regex declaration("\\buniform (float|vec2|vec3|vec4|mat4) (\\w+);");
   std::vector<Uniform> uniforms;
   for (std::sregex_iterator found(shader.begin(), shader.end(), declaration), end; found != end;
        ++found)
@@ -56,9 +56,9 @@ std::vector<Uniform> FindUniforms(const std::string& shader)
     if (IsRepeated(shader, name)) // it is used
     {
       uniforms.push_back({ type, name,
-        type == "float" || type == "int" ? 1
-          : type == "mat4"               ? 16
-                                         : static_cast<std::size_t>(type.back() - '0') });
+        type == "float"    ? 1
+          : type == "mat4" ? 16
+                           : static_cast<std::size_t>(type.back() - '0') });
     }
   }
   std::stable_sort(uniforms.begin(), uniforms.end(),
@@ -109,9 +109,7 @@ void PassUniformsFlat(std::string& vertexShader, std::string& fragmentShader)
         std::string("xyzw").substr(used[input + column], components);
       used[input + column] += components;
       const std::string index = columns > 1 ? "[" + std::to_string(column) + "]" : "";
-      const std::string from = uniform.Name + index;
-      outputs +=
-        "  " + part + " = " + (uniform.Type == "int" ? "float(" + from + ")" : from) + ";\n";
+      outputs += "  " + part + " = " + uniform.Name + index + ";\n";
       value += (column > 0 ? ", " : "") + part;
     }
     const std::string prefix = uniform.Type + " " + uniform.Name + ";";
