@@ -23,8 +23,8 @@ namespace
 
 constexpr int PacketSize = 16;
 /// Camera rays per pixel and estimate: a square grid; and rays over the hemisphere per camera ray.
-constexpr int CameraSide = 8;
-constexpr int HemisphereRays = 8;
+constexpr int CameraSide = 16;
+constexpr int HemisphereRays = 4;
 
 Scene Extract(vtkRenderer* renderer, int width, int height)
 {

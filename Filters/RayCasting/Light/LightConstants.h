@@ -50,8 +50,12 @@ constexpr double ProbeDistance = 2.0;
 /// A tile is scattered if more than this fraction of the pairs with a surface hit different sites. Measured:
 /// 0.84 for spheres with a diameter of 3 pixels, 0.48 for 6 pixels, 0.09 to 0.16 for the meshes at 1000x600.
 constexpr float ScatteredFraction = 0.6f;
-/// Number of pairs with a surface, of 16 in a tile, below which it is not scattered, such as the corner of a mesh.
+/// Four times as many pairs are traced in a tile with fewer pairs with a surface than this, and if the fraction differs
+/// by fewer standard errors. With fewer than FewestPairsOfAll among these, the tile is not scattered, such as the
+/// corner of a mesh.
 constexpr int FewestPairs = 8;
+constexpr float CertainDeviation = 2.f;
+constexpr int FewestPairsOfAll = 4;
 /// Number of rays from each hit of a camera ray.
 constexpr std::uint32_t RaysOfLitSample = 2;
 

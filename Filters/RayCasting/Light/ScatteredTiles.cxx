@@ -5,8 +5,10 @@
 #include "LightConstants.h"
 #include "Scene.h"
 #include "Shading/OwenSobolSequence.h"
+#include "Surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace penumbra
@@ -20,13 +22,19 @@ constexpr std::uint32_t DirectionSeed = 0x68bc21ebu;
 constexpr std::uint32_t LightSeed = 0x02e5be93u;
 
 /// Returns true if the hits of two camera rays belong to one site, or show the background.
-bool ShowOneSite(
-  const std::vector<LitLayer>& a, const std::vector<LitLayer>& b, const Camera& camera)
+bool ShowOneSite(const std::vector<LitLayer>& a, const std::vector<LitLayer>& b, const Scene& scene)
 {
   if (a.empty() || b.empty())
   {
     return a.empty() && b.empty();
   }
+  const Surface& surface = scene.Surfaces[a[0].Where.Surface];
+  if (surface.IsRound() && surface.Segments.empty() && a[0].Where.Surface == b[0].Where.Surface &&
+    a[0].Where.Primitive != b[0].Where.Primitive)
+  {
+    return false; // two spheres
+  }
+  const Camera& camera = scene.ViewCamera;
   const double depth = a[0].Where.Distance + camera.DepthOfRayOrigins();
   const auto footprint = static_cast<float>(camera.PixelSize * (camera.Parallel ? 1.0 : depth));
   return glm::dot(a[0].Normal, b[0].Normal) >= SameSiteCosine &&
@@ -34,46 +42,105 @@ bool ShowOneSite(
       SameSiteHeight * footprint, SameSiteSlope);
 }
 
+/// Pairs of camera rays, and the numbers of those that hit a surface and that hit different sites.
+class ProbedPairs
+{
+public:
+  ProbedPairs(const CameraRayTracer& tracer, RayCounts& counts)
+    : Tracer(tracer),
+      Counts(counts)
+  {
+  }
+
+  /// Traces a pair in each pixel of [low, high) whose offset from `low` is a multiple of `step`.
+  void Trace(glm::ivec2 low, glm::ivec2 high, int step)
+  {
+    for (int y = low.y; y < high.y; y += step)
+    {
+      for (int x = low.x; x < high.x; x += step)
+      {
+        this->AddPair(x, y);
+      }
+    }
+    this->Flush();
+  }
+
+  /// Returns the fraction of the pairs with a surface that hit different sites.
+  float GetFraction() const
+  {
+    return static_cast<float>(this->Different) / static_cast<float>(this->Surfaces);
+  }
+
+  /// Returns true if the number of pairs is too small to tell on which side of `fraction` theirs is.
+  bool IsNear(float fraction) const
+  {
+    const float error = std::sqrt(fraction * (1.f - fraction) / static_cast<float>(this->Surfaces));
+    return std::abs(this->GetFraction() - fraction) < CertainDeviation * error;
+  }
+
+  int Surfaces = 0;
+
+private:
+  void AddPair(int x, int y)
+  {
+    const std::uint32_t seed =
+      MixBits(static_cast<std::uint32_t>(x) + MixBits(static_cast<std::uint32_t>(y)));
+    const OwenSobolSequence sequence(seed);
+    const bool isRow = (seed & 1u) != 0; // an edge must not meet the pairs of one direction only
+    const glm::dvec2 step(isRow ? ProbeDistance : 0.0, isRow ? 0.0 : ProbeDistance);
+    this->Points[this->Count++] = glm::dvec2(x, y) + glm::dvec2(sequence.At(0));
+    this->Points[this->Count++] = glm::dvec2(x, y) + glm::dvec2(sequence.At(1)) + step;
+    if (this->Count == PacketSize)
+    {
+      this->Flush();
+    }
+  }
+
+  void Flush()
+  {
+    if (this->Count == 0)
+    {
+      return;
+    }
+    this->Tracer.TraceLayers(
+      this->Points, (1u << this->Count) - 1u, 0, this->Samples, this->Layers, this->Counts);
+    this->Counts.Auxiliary += this->Count;
+    for (int i = 0; i < this->Count; i += 2)
+    {
+      const std::vector<LitLayer>& a = this->Layers[i];
+      const std::vector<LitLayer>& b = this->Layers[i + 1];
+      this->Surfaces += a.empty() && b.empty() ? 0 : 1;
+      this->Different += ShowOneSite(a, b, this->Tracer.GetScene()) ? 0 : 1;
+    }
+    this->Count = 0;
+  }
+
+  const CameraRayTracer& Tracer;
+  RayCounts& Counts;
+  int Different = 0;
+  glm::dvec2 Points[PacketSize] = {};
+  Sample Samples[PacketSize];
+  std::vector<LitLayer> Layers[PacketSize];
+  int Count = 0;
+};
+
 }
 
 bool IsScattered(const CameraRayTracer& tracer, glm::ivec2 low, glm::ivec2 high, RayCounts& counts)
 {
-  int surfaces = 0;
-  int different = 0;
-  glm::dvec2 points[PacketSize] = {};
-  Sample samples[PacketSize];
-  std::vector<LitLayer> layers[PacketSize];
-  int count = 0;
-  const auto trace = [&] {
-    tracer.TraceLayers(points, (1u << count) - 1u, 0, samples, layers, counts);
-    counts.Auxiliary += count;
-    for (int i = 0; i < count; i += 2)
-    {
-      surfaces += layers[i].empty() && layers[i + 1].empty() ? 0 : 1;
-      different += ShowOneSite(layers[i], layers[i + 1], tracer.GetCamera()) ? 0 : 1;
-    }
-    count = 0;
-  };
-  for (int y = low.y; y < high.y; y += ProbedPixelStep)
+  ProbedPairs pairs(tracer, counts);
+  pairs.Trace(low, high, ProbedPixelStep);
+  if (pairs.Surfaces == 0 || (pairs.Surfaces >= FewestPairs && !pairs.IsNear(ScatteredFraction)))
   {
-    for (int x = low.x; x < high.x; x += ProbedPixelStep)
-    {
-      const std::uint32_t seed =
-        MixBits(static_cast<std::uint32_t>(x) + MixBits(static_cast<std::uint32_t>(y)));
-      const OwenSobolSequence sequence(seed);
-      const bool isRow = (seed & 1u) != 0; // an edge must not meet the pairs of one direction only
-      const glm::dvec2 step(isRow ? ProbeDistance : 0.0, isRow ? 0.0 : ProbeDistance);
-      points[count++] = glm::dvec2(x, y) + glm::dvec2(sequence.At(0));
-      points[count++] = glm::dvec2(x, y) + glm::dvec2(sequence.At(1)) + step;
-      if (count == PacketSize)
-      {
-        trace();
-      }
-    }
+    return pairs.Surfaces > 0 && pairs.GetFraction() > ScatteredFraction;
   }
-  trace();
-  return surfaces >= FewestPairs &&
-    static_cast<float>(different) > ScatteredFraction * static_cast<float>(surfaces);
+  constexpr int Half = ProbedPixelStep / 2;
+  for (const glm::ivec2 offset :
+    { glm::ivec2(Half, 0), glm::ivec2(0, Half), glm::ivec2(Half, Half) })
+  {
+    pairs.Trace(low + offset, high, ProbedPixelStep);
+  }
+  return pairs.Surfaces >= FewestPairsOfAll && pairs.GetFraction() > ScatteredFraction;
 }
 
 template <int N>

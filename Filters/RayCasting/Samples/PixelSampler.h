@@ -41,8 +41,9 @@ public:
   double GetSampleBudget(bool isLit) const
   {
     const double tolerance = this->Pixel.Settings.Tolerance;
-    return this->IsExactCostly || isLit ? ComputeMaximumSamples(tolerance)
-                                        : ComputeSampleBudget(tolerance);
+    return isLit            ? LitSampleBudgetFactor * ComputeMaximumSamples(tolerance)
+      : this->IsExactCostly ? ComputeMaximumSamples(tolerance)
+                            : ComputeSampleBudget(tolerance);
   }
 
   std::vector<SampledPixel>& GetPixels() { return this->Sampled; }

@@ -10,6 +10,7 @@
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkCleanPolyData.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -18,6 +19,7 @@
 #include "vtkParametricFunctionSource.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
@@ -27,12 +29,15 @@
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <random>
 #include <string>
+#include <vector>
 
 using namespace penumbra;
 
@@ -275,6 +280,151 @@ TEST(ColorsOfWires, AreAveragedOverEachSegment)
   for (const TileAccuracy& tile : CompareTiles(answer, reference, Side))
   {
     EXPECT_LE(tile.Error, std::max(tolerance, tile.Estimate));
+  }
+}
+
+namespace
+{
+
+/// Spheres with a diameter of one pixel in a plane before the image: one at a random place in each cell of a grid.
+/// World coordinates are pixels.
+class SpherePlane
+{
+public:
+  static constexpr double Radius = 0.5;
+  static constexpr double OcclusionRadius = 3.0;
+
+  SpherePlane(int width, int height, double spacing)
+    : Spacing(spacing),
+      Cells(static_cast<int>(width / spacing) + 1, static_cast<int>(height / spacing) + 1),
+      Random(7)
+  {
+    for (int i = 0; i < this->Cells.x * this->Cells.y; ++i)
+    {
+      const glm::dvec3 cell(i % this->Cells.x, i / this->Cells.x, 0.0);
+      const glm::dvec3 offset(this->Draw(), this->Draw(), this->Draw());
+      this->Centers.push_back(spacing * (cell + 0.25 + 0.5 * offset));
+    }
+  }
+
+  const std::vector<glm::dvec3>& GetCenters() const { return this->Centers; }
+
+  /// Returns the mean of 1 - occlusion over `side` x `side` jittered camera rays, one hemisphere ray each; misses
+  /// are black.
+  double DrawPixel(int x, int y, int side)
+  {
+    double sum = 0.0;
+    for (int i = 0; i < side * side; ++i)
+    {
+      const glm::dvec3 origin(
+        x + (i % side + this->Draw()) / side, y + (i / side + this->Draw()) / side, 100.0);
+      const glm::dvec3 down(0.0, 0.0, -1.0);
+      int sphere = -1;
+      const double distance = this->Find(origin, down, 200.0, -1, sphere);
+      if (sphere >= 0)
+      {
+        const glm::dvec3 point = origin + distance * down;
+        const glm::dvec3 normal = (point - this->Centers[sphere]) / Radius;
+        int occluder = -1;
+        this->Find(point, this->DrawDirection(normal), OcclusionRadius, sphere, occluder);
+        sum += occluder < 0 ? 1.0 : 0.0;
+      }
+    }
+    return sum / (side * side);
+  }
+
+private:
+  double Draw() { return this->Random() * 0x1p-32; }
+
+  /// Returns a direction with a density in proportion to its cosine: a point of the unit sphere around the tip of
+  /// the normal.
+  glm::dvec3 DrawDirection(glm::dvec3 normal)
+  {
+    const double z = 1.0 - 2.0 * this->Draw();
+    const double angle = 6.283185307179586 * this->Draw();
+    const double r = std::sqrt(1.0 - z * z);
+    return glm::normalize(normal + glm::dvec3(r * std::cos(angle), r * std::sin(angle), z));
+  }
+
+  /// Returns the distance of the first sphere along a ray, except `own`, and its index in `sphere`.
+  double Find(glm::dvec3 origin, glm::dvec3 direction, double end, int own, int& sphere) const
+  {
+    const glm::ivec2 at(glm::floor(glm::dvec2(origin) / this->Spacing));
+    const int reach =
+      own < 0 ? 1 : static_cast<int>(std::ceil((OcclusionRadius + Radius) / this->Spacing));
+    const glm::ivec2 low = glm::max(at - reach, 0);
+    const glm::ivec2 high = glm::min(at + reach, this->Cells - 1);
+    double nearest = end;
+    for (int y = low.y; y <= high.y; ++y)
+    {
+      for (int x = low.x; x <= high.x; ++x)
+      {
+        const int i = y * this->Cells.x + x;
+        const glm::dvec3 offset = this->Centers[i] - origin;
+        const double along = glm::dot(offset, direction);
+        const double square = Radius * Radius - glm::dot(offset, offset) + along * along;
+        const double distance = along - std::sqrt(std::max(square, 0.0));
+        if (i != own && square > 0.0 && distance > 0.0 && distance < nearest)
+        {
+          nearest = distance;
+          sphere = i;
+        }
+      }
+    }
+    return nearest;
+  }
+
+  const double Spacing;
+  const glm::ivec2 Cells;
+  std::vector<glm::dvec3> Centers;
+  std::mt19937 Random;
+};
+
+}
+
+TEST(ScatteredTiles, HaveReliableEstimatesOfOcclusionOnSpheresOfOnePixel)
+{
+  constexpr int Width = 64;
+  constexpr int Height = 48;
+  constexpr int Side = 32; // of the grids of camera rays of the reference
+  for (const double spacing : { 1.6, 2.2 })
+  {
+    SpherePlane plane(Width, Height, spacing);
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> vertices;
+    for (const glm::dvec3& center : plane.GetCenters())
+    {
+      const vtkIdType id = points->InsertNextPoint(center.x, center.y, center.z);
+      vertices->InsertNextCell(1, &id);
+    }
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetVerts(vertices);
+    const vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+    AddMesh(renderer, data, false);
+    LookAtImage(renderer, Width, Height);
+    double limit = 0.0;
+    const Answer answer = Cast(renderer, Width, Height, [&](vtkPenumbraRayCaster* caster) {
+      caster->SetPointRadius(SpherePlane::Radius);
+      caster->SetAmbientOcclusion(true);
+      caster->SetAmbientOcclusionRadius(SpherePlane::OcclusionRadius);
+      caster->SetLightTolerance(0.01);
+      limit = std::hypot(caster->GetTolerance(), caster->GetLightTolerance());
+    });
+    StratifiedReference reference;
+    for (int i = 0; i < Width * Height; ++i)
+    {
+      const double first = plane.DrawPixel(i % Width, i / Width, Side);
+      const double second = plane.DrawPixel(i % Width, i / Width, Side);
+      reference.Colors.emplace_back(0.5 * (first + second));
+      reference.SquaredErrors.push_back(0.25 * (first - second) * (first - second));
+    }
+    for (const TileAccuracy& tile : CompareTiles(answer, reference, Width))
+    {
+      EXPECT_LE(tile.Error, limit) << spacing;
+      EXPECT_LE(tile.Estimate, limit) << spacing;
+      EXPECT_LE(tile.Error, 1.1 * tile.Estimate) << spacing;
+    }
   }
 }
 
