@@ -8,6 +8,7 @@
 #include "Shadows/CellMarks.h"
 #include "Shadows/RankCells.h"
 #include "Surface.h"
+#include "UnitSelection.h"
 
 #include <algorithm>
 #include <utility>
@@ -129,9 +130,16 @@ std::vector<std::string> DistributedOccluders::ExchangeParts(const Scene& scene,
     selected.push_back(SelectUnits(surface, cells, ranks));
   }
   return ExchangeSurfaces(
-    scene, united,
-    [&](std::uint32_t surface, int rank) {
-      return rank == this->Ranks.GetRank() ? Units() : selected[surface][rank];
+    [&](int rank) {
+      SurfaceMessage message;
+      for (std::uint32_t i = 0; i < united.size() && rank != this->Ranks.GetRank(); ++i)
+      {
+        for (const std::uint32_t own : united[i].Own)
+        {
+          message.Add(i, scene.Surfaces[own], selected[own][rank]);
+        }
+      }
+      return message.Take();
     },
     this->Ranks, this->Counts);
 }
@@ -145,6 +153,7 @@ std::uint32_t DistributedOccluders::Exchange(
   {
     bounds.Add(surface.Whole->DrawnBounds);
   }
+  CountWhole(scene, united, this->Ranks, this->Counts);
   std::uint32_t first = 0;
   if (!bounds.IsEmpty())
   {

@@ -10,6 +10,7 @@
 #include "Scene.h"
 #include "Shadows/CellMarks.h"
 #include "Shadows/RankCells.h"
+#include "UnitSelection.h"
 #include "UnitTiles.h"
 
 #include "vtkImageData.h"
@@ -184,14 +185,24 @@ void DistributedScene::Exchange(Scene& scene, LightRays lightRays)
   {
     selected = this->Select(scene, division, lightRays, bounds);
   }
-  ReceivedSurfaces received(ExchangeSurfaces(
-    scene, united,
-    [&](std::uint32_t surface, int rank) {
-      return sendsAll ? ListAllUnits(scene.Surfaces[surface]) : selected[surface][rank];
-    },
-    this->Ranks, this->Counts));
+  CountWhole(scene, united, this->Ranks, this->Counts);
+  std::vector<SurfaceMessage> messages(sendsAll ? 1 : ranks);
+  for (std::uint32_t i = 0; i < united.size(); ++i)
+  {
+    for (const std::uint32_t own : united[i].Own)
+    {
+      Surface& surface = scene.Surfaces[own];
+      for (std::size_t rank = 0; rank < messages.size(); ++rank)
+      {
+        messages[rank].Add(i, surface, sendsAll ? ListAllUnits(surface) : selected[own][rank]);
+      }
+      surface = Surface(); // frees the memory
+    }
+  }
   selected.clear();
-  scene.Surfaces.clear(); // frees the memory
+  const std::string all = sendsAll ? messages[0].Take() : std::string();
+  ReceivedSurfaces received(ExchangeSurfaces(
+    [&](int rank) { return sendsAll ? all : messages[rank].Take(); }, this->Ranks, this->Counts));
   scene.Surfaces = Assemble(united, received);
   CountPrimitives(scene, this->Counts);
   if (needsAll && this->Ranks.IsFirst() && this->Ranks.GetCount() > 1)

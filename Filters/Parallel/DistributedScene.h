@@ -8,6 +8,7 @@
 #include "Distribution/SceneDistribution.h"
 #include "Messages/RankGroup.h"
 #include "SurfaceExchange.h"
+#include "UnitSelection.h"
 
 #include <cstdint>
 #include <functional>

@@ -3,7 +3,6 @@
 #include "SurfaceExchange.h"
 
 #include "Messages/RankGroup.h"
-#include "Messages/SurfaceMessages.h"
 #include "Messages/SurfacePart.h"
 #include "Scene.h"
 #include "Statistics/Statistics.h"
@@ -11,8 +10,7 @@
 namespace penumbra
 {
 
-std::vector<std::string> ExchangeSurfaces(const Scene& scene,
-  const std::vector<UnitedSurface>& united, const UnitSelector& select, RankGroup& ranks,
+void CountWhole(const Scene& scene, const std::vector<UnitedSurface>& united, RankGroup& ranks,
   ExchangeCounts& counts)
 {
   std::vector<double> bytes(1, 0.0);
@@ -26,18 +24,13 @@ std::vector<std::string> ExchangeSurfaces(const Scene& scene,
   {
     counts.WholePrimitives += static_cast<long long>(surface.Count);
   }
+}
+
+std::vector<std::string> ExchangeSurfaces(
+  const std::function<std::string(int)>& make, RankGroup& ranks, ExchangeCounts& counts)
+{
   const long long before = ranks.GetReceivedBytes();
-  std::vector<std::string> received = ranks.Exchange([&](int rank) {
-    SurfaceMessage message;
-    for (std::uint32_t i = 0; i < united.size(); ++i)
-    {
-      for (const std::uint32_t own : united[i].Own)
-      {
-        message.Add(i, scene.Surfaces[own], select(own, rank));
-      }
-    }
-    return message.Take();
-  });
+  std::vector<std::string> received = ranks.Exchange(make);
   counts.SceneBytes = ranks.GetReceivedBytes() - before;
   return received;
 }

@@ -6,9 +6,7 @@
 #define penumbra_SurfaceExchange_h
 
 #include "SceneUnion.h"
-#include "UnitSelection.h"
 
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -29,14 +27,13 @@ struct ExchangeCounts
   long long Rays = 0;            ///< traced by this rank
 };
 
-/// Returns the units of a surface of this rank's scene that a rank needs.
-using UnitSelector = std::function<Units(std::uint32_t surface, int rank)>;
-
-/// Sends each rank the units of the scene that it needs, one message at a time. Returns the messages for this rank,
-/// by sender. Collective.
-std::vector<std::string> ExchangeSurfaces(const Scene& scene,
-  const std::vector<UnitedSurface>& united, const UnitSelector& select, RankGroup& ranks,
+/// Counts the surfaces of all ranks. Collective.
+void CountWhole(const Scene& scene, const std::vector<UnitedSurface>& united, RankGroup& ranks,
   ExchangeCounts& counts);
+
+/// Sends the message make(r) to rank r. Returns the messages for this rank, by sender. Collective.
+std::vector<std::string> ExchangeSurfaces(
+  const std::function<std::string(int)>& make, RankGroup& ranks, ExchangeCounts& counts);
 
 /// Counts the primitives that this rank has after the exchange.
 void CountPrimitives(const Scene& scene, ExchangeCounts& counts);
