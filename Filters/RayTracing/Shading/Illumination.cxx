@@ -42,14 +42,16 @@ bool IsActive(const Ray& ray)
   return ray.Near <= ray.Far;
 }
 
-/// Moves a point of the unit square in one of the corners of a grid of 4 x 4 cells to this corner of the square.
-glm::vec2 MoveToCorner(glm::vec2 point)
+/// Moves a point of the unit square in an outer cell of its row, of a grid of 4 x 4 cells, to the end of the row, and in
+/// a corner of the grid to this corner. Rows are those of the map, sampled by the first coordinate.
+glm::vec2 MoveToOutline(glm::vec2 point)
 {
   constexpr float Inside = 0.999f;
   const glm::vec2 centered = 2.f * point - 1.f;
-  return std::min(std::abs(centered.x), std::abs(centered.y)) > 0.5f
-    ? 0.5f + 0.5f * Inside * glm::sign(centered)
-    : point;
+  const glm::vec2 ends = 0.5f + 0.5f * Inside * glm::sign(centered);
+  const bool isOuter = std::abs(centered.y) > 0.5f;
+  const bool isCorner = isOuter && std::abs(centered.x) > 0.5f;
+  return { isCorner ? ends.x : point.x, isOuter ? ends.y : point.y };
 }
 
 template <std::size_t Size>
@@ -219,8 +221,8 @@ void Illumination::SunContributions(const LightReceiver* receivers, std::uint32_
   }
 }
 
-// The first rays of the corners of the sun are moved to the corners themselves: edges of shadows hide or show one of
-// these first. If all rays agree, the sun is hidden or visible; otherwise further rays are traced even if the first
+// Of the first rays, those in outer cells are moved to the outline of the sun: edges of shadows hide or show a part of it
+// first. If all rays agree, the sun is hidden or visible; otherwise further rays are traced even if the first
 // ones of the sequence agree.
 Illumination::SampledLight Illumination::EstimateSuns(
   const LightReceiver& at, double tolerance, long long& rays) const
@@ -235,11 +237,11 @@ Illumination::SampledLight Illumination::EstimateSuns(
     LightReceiver sample = at;
     sample.Sample = sequence.At(i);
     first[i] = UnshadowedSun(*this->Settings.Map, sample, packet[i]);
-    const glm::vec2 corner = MoveToCorner(sample.Sample);
+    const glm::vec2 outline = MoveToOutline(sample.Sample);
     Ray moved = packet[i];
-    if (IsActive(moved) && corner != sample.Sample)
+    if (IsActive(moved) && outline != sample.Sample)
     {
-      sample.Sample = corner;
+      sample.Sample = outline;
       UnshadowedSun(*this->Settings.Map, sample, moved);
     }
     packet[i] = IsActive(moved) ? moved : packet[i];

@@ -32,9 +32,9 @@ namespace
 constexpr double Pi = glm::pi<double>();
 
 /// Radiance by longitude and latitude, in radians.
-using Sky = std::function<glm::dvec3(double longitude, double latitude)>;
+using SkyFunction = std::function<glm::dvec3(double longitude, double latitude)>;
 
-vtkSmartPointer<vtkImageData> MakeImage(int width, int height, const Sky& sky)
+vtkSmartPointer<vtkImageData> MakeImage(int width, int height, const SkyFunction& sky)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(width, height, 1);
@@ -90,6 +90,14 @@ glm::dvec3 SunlitSky(double longitude, double latitude)
   const bool sun =
     std::abs(longitude - Pi / Width) < 1e-6 && std::abs(latitude - SunLatitude) < 1e-6;
   return sun ? glm::dvec3(SunRadiance, .5 * SunRadiance, 0.0) : glm::dvec3(.25);
+}
+
+/// A sun of about 6 texels across.
+glm::dvec3 SkyWithRoundSun(double longitude, double latitude)
+{
+  const double distance = std::hypot(longitude, latitude - SunLatitude);
+  return distance < 3.2 * Pi / Rows ? glm::dvec3(SunRadiance, .5 * SunRadiance, 0.0)
+                                    : glm::dvec3(.25);
 }
 
 /// Returns the approximate irradiance from the sun on a plane that faces it.
@@ -265,10 +273,12 @@ TEST(vtkPenumbraEnvironment, CastsShadowsFromSun)
     .99 * ComputeSunIrradiance() * std::sin(SunLatitude));
 }
 
-TEST(vtkPenumbraEnvironment, FindsShadowEdgesThatHideLittleOfTheSun)
+/// Lights points below edges. Returns how many are partly shadowed, and how many of them have a wrong value and estimate.
+/// `width`: of the row of points below each edge.
+std::array<int, 2> CountShadowEdges(const SkyFunction& sky, float width)
 {
   vtkNew<vtkPenumbraEnvironment> environment;
-  environment->SetImage(MakeImage(Width, Rows, SunlitSky));
+  environment->SetImage(MakeImage(Width, Rows, sky));
   environment->SetUp(0.0, 0.0, 1.0);
   const std::shared_ptr<const EnvironmentMap> map = environment->GetMap();
   IlluminationSettings settings;
@@ -292,7 +302,7 @@ TEST(vtkPenumbraEnvironment, FindsShadowEdgesThatHideLittleOfTheSun)
     const glm::vec3 sun = map->SampleSun({ .5f, .5f }).Direction;
     for (int i = 0; i < Points; ++i)
     {
-      const glm::vec3 point = (.02f * (static_cast<float>(i) / Points - .5f)) * across -
+      const glm::vec3 point = (width * (static_cast<float>(i) / Points - .5f)) * across -
         glm::vec3(sun.x, sun.y, 0.f) / sun.z;
       double exact = 0.0;
       double unshadowed = 0.0;
@@ -314,6 +324,19 @@ TEST(vtkPenumbraEnvironment, FindsShadowEdgesThatHideLittleOfTheSun)
         std::abs(found.Mean.x - exact) > std::max(2.0 * tolerance, 4.0 * found.Error) ? 1 : 0;
     }
   }
+  return { penumbra, wrong };
+}
+
+TEST(vtkPenumbraEnvironment, FindsShadowEdgesThatHideLittleOfTheSun)
+{
+  const auto [penumbra, wrong] = CountShadowEdges(SunlitSky, .02f);
+  EXPECT_GT(penumbra, 500);
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(vtkPenumbraEnvironment, FindsShadowEdgesThatHideLittleOfARoundSun)
+{
+  const auto [penumbra, wrong] = CountShadowEdges(SkyWithRoundSun, .14f);
   EXPECT_GT(penumbra, 500);
   EXPECT_EQ(wrong, 0);
 }
