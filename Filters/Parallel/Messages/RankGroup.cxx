@@ -75,28 +75,45 @@ std::vector<std::string> RankGroup::AllGather(const std::string& message)
   return this->GatherAll(message);
 }
 
-// In each round, every rank has one partner. The lower one of both sends first. One message is made at a time.
+// In each round, every rank has one partner. The lower one of both sends first. One message is made at a time. If that
+// fails, the partners, which wait for messages, receive empty ones; they learn of the failure in the next step.
 std::vector<std::string> RankGroup::Exchange(const std::function<std::string(int)>& make)
 {
   this->Begin(Steps::Exchange, {});
   std::vector<std::string> received(static_cast<std::size_t>(this->Count));
+  std::exception_ptr failure;
+  const auto tryToMake = [&](int rank) {
+    try
+    {
+      return failure ? std::string() : make(rank);
+    }
+    catch (...)
+    {
+      failure = std::current_exception();
+      return std::string();
+    }
+  };
   for (int round = 0; round < this->Count; ++round)
   {
     const int partner = (round - this->Rank + this->Count) % this->Count;
     if (partner == this->Rank)
     {
-      received[partner] = make(partner);
+      received[partner] = tryToMake(partner);
       continue;
     }
     if (this->Rank < partner)
     {
-      this->Send(make(partner), partner);
+      this->Send(tryToMake(partner), partner);
     }
     received[partner] = this->Receive(partner);
     if (this->Rank > partner)
     {
-      this->Send(make(partner), partner);
+      this->Send(tryToMake(partner), partner);
     }
+  }
+  if (failure)
+  {
+    std::rethrow_exception(failure);
   }
   return received;
 }
