@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 namespace penumbra
@@ -157,6 +158,10 @@ void CoarseImage::TracePacket(
       node.Factor[c] =
         node.Color[c] > 0.f ? std::max(1.f + own.Change[c] / node.Color[c], 0.f) : 1.f;
     }
+    // Indirect light of a node in a shadow is a multiple of its color, but not of that of lit pixels.
+    node.LargestChange = light->HasShadows && light->Light
+      ? glm::abs(own.Change)
+      : glm::vec3(std::numeric_limits<float>::infinity());
   }
 }
 
@@ -194,6 +199,20 @@ void CoarseImage::FindDeviations()
     static_cast<float>(factorSum / static_cast<double>(this->Nodes.size()));
 }
 
+glm::vec3 CoarseImage::Value::FindFactor(const glm::vec4& color) const
+{
+  glm::vec3 factor = this->Factor;
+  for (int c = 0; c < 3; ++c)
+  {
+    const float change = (factor[c] - 1.f) * color[c];
+    if (std::abs(change) > this->LargestChange[c])
+    {
+      factor[c] = 1.f + std::copysign(this->LargestChange[c], change) / color[c];
+    }
+  }
+  return factor;
+}
+
 CoarseImage::Value CoarseImage::At(int x, int y) const
 {
   const glm::ivec2 cell = glm::ivec2(x, y) / Spacing - this->Low;
@@ -213,6 +232,7 @@ CoarseImage::Value CoarseImage::At(int x, int y) const
     value.Color += weight * node.Color;
     value.Factor += weight * node.Factor;
     value.Occlusion += weight * node.Occlusion;
+    value.LargestChange = glm::max(value.LargestChange, node.LargestChange);
     least = glm::min(least, node.Color);
     most = glm::max(most, node.Color);
     deviation += 0.25f * node.Deviation;

@@ -28,9 +28,13 @@ public:
   {
     glm::vec4 Color{ 0.f }; ///< premultiplied by alpha, without the light
     float Error = 0.f;
-    glm::vec3 Factor{ 1.f }; ///< of the light
-    float FactorError = 0.f; ///< estimated error of the color that it causes
-    float Occlusion = 0.f;   ///< mean of the surfaces
+    glm::vec3 Factor{ 1.f };        ///< of the light
+    float FactorError = 0.f;        ///< estimated error of the color that it causes
+    float Occlusion = 0.f;          ///< mean of the surfaces
+    glm::vec3 LargestChange{ 0.f }; ///< of a color by the light
+
+    /// Returns the factor for the final color of a pixel, premultiplied by alpha.
+    glm::vec3 FindFactor(const glm::vec4& color) const;
   };
   Value At(int x, int y) const;
 
@@ -39,6 +43,7 @@ private:
   {
     glm::vec4 Color{ 0.f };
     glm::vec3 Factor{ 1.f };
+    glm::vec3 LargestChange{ 0.f };
     float Occlusion = 0.f;
     float Deviation = 0.f;       ///< squared, of the color from its neighbors
     float FactorDeviation = 0.f; ///< the same of the factor

@@ -307,7 +307,8 @@ void RegionRenderer::Complete(ImageRegion& region) const
       else
       {
         const CoarseImage::Value value = this->Coarse->At(x, y);
-        Apply({ value.Factor, glm::vec3(0.f), value.FactorError }, index, region);
+        const glm::vec3 factor = value.FindFactor(region.Colors[index]);
+        Apply({ factor, glm::vec3(0.f), value.FactorError }, index, region);
       }
       if (!region.Occlusions.empty())
       {
