@@ -66,7 +66,7 @@ InterpolationResult ViewRecords::LookUpOrGather(const ShadingPoint& point)
 {
   const std::lock_guard<std::mutex> lock(this->Lock);
   InterpolationResult found = this->Tree.LookUp(point);
-  if (!found.Found())
+  if (!found.Found() && !this->Placement.IsCovered(point))
   {
     RecordCandidate site;
     site.Position = point.Position;
