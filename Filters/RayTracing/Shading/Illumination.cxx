@@ -42,8 +42,8 @@ bool IsActive(const Ray& ray)
   return ray.Near <= ray.Far;
 }
 
-/// Moves a point of the unit square in an outer cell of its row, of a grid of 4 x 4 cells, to the end of the row, and in
-/// a corner of the grid to this corner. Rows are those of the map, sampled by the first coordinate.
+/// Moves a point of the unit square in an outer cell of its row, of a grid of 4 x 4 cells, to the end of the row, and
+/// in a corner of the grid to this corner. Rows are those of the map, sampled by the first coordinate.
 glm::vec2 MoveToOutline(glm::vec2 point)
 {
   constexpr float Inside = 0.999f;
@@ -221,9 +221,9 @@ void Illumination::SunContributions(const LightReceiver* receivers, std::uint32_
   }
 }
 
-// Of the first rays, those in outer cells are moved to the outline of the sun: edges of shadows hide or show a part of it
-// first. If all rays agree, the sun is hidden or visible; otherwise further rays are traced even if the first
-// ones of the sequence agree.
+// Of the first rays, those in outer cells are moved to the outline of the sun: edges of shadows hide or show a part of
+// it first. If all rays agree, the sun is hidden or visible; otherwise further rays are traced even if the first ones of
+// the sequence agree.
 Illumination::SampledLight Illumination::EstimateSuns(
   const LightReceiver& at, double tolerance, long long& rays) const
 {

@@ -273,8 +273,8 @@ TEST(vtkPenumbraEnvironment, CastsShadowsFromSun)
     .99 * ComputeSunIrradiance() * std::sin(SunLatitude));
 }
 
-/// Lights points below edges. Returns how many are partly shadowed, and how many of them have a wrong value and estimate.
-/// `width`: of the row of points below each edge.
+/// Lights points below edges. Returns how many are partly shadowed, and how many of them have a wrong value and
+/// estimate. `width`: of the row of points below each edge.
 std::array<int, 2> CountShadowEdges(const SkyFunction& sky, float width)
 {
   vtkNew<vtkPenumbraEnvironment> environment;
