@@ -222,8 +222,8 @@ void Illumination::SunContributions(const LightReceiver* receivers, std::uint32_
 }
 
 // Of the first rays, those in outer cells are moved to the outline of the sun: edges of shadows hide or show a part of
-// it first. If all rays agree, the sun is hidden or visible; otherwise further rays are traced even if the first ones of
-// the sequence agree.
+// it first. If all rays agree, the sun is hidden or visible; otherwise further rays are traced even if the first ones
+// of the sequence agree.
 Illumination::SampledLight Illumination::EstimateSuns(
   const LightReceiver& at, double tolerance, long long& rays) const
 {
