@@ -143,7 +143,7 @@ inline const std::vector<Row> Table = {
     { "GLM" } },
 
   { "Rendering/ScreenSpace/Frame", {}, { "OpenGL" } },
-  { "Rendering/ScreenSpace/Chain", {}, { "OpenGL" } },
+  { "Rendering/ScreenSpace/Chain", { "Filters/Medium" }, { "OpenGL" } },
   { "Rendering/ScreenSpace/Occlusion",
     { "Rendering/ScreenSpace/Frame", "vtkPenumbraOcclusionConstants.h",
       "vtkPenumbraOcclusionEstimator.h" },

@@ -6,6 +6,7 @@
 #include "Image/LayerCompositing.h"
 #include "Import/SceneExtraction.h"
 #include "Import/SceneModificationTime.h"
+#include "PassEffects.h"
 #include "PhaseTimer.h"
 #include "Sampling/OpaqueDepths.h"
 #include "Scene.h"
@@ -37,13 +38,25 @@ void RequireUsable(const penumbra::Scene& scene)
   }
 }
 
-/// Returns whether the pass of a renderer is ignored although its effects are not computed by rays.
-/// Effects of Penumbra's passes are ambient occlusion and a medium.
-bool IsIgnored(vtkRenderPass* pass, bool computesEffects)
+penumbra::EffectList FindEffects(vtkRenderPass* pass)
 {
-  const bool hasEffects =
-    pass->IsA("RendererCameraPass") || pass->IsA("vtkPenumbraScreenSpacePass");
-  return !pass->IsA("vtkPenumbraRayCastPass") && !(hasEffects && computesEffects);
+  if (auto* passes = dynamic_cast<penumbra::PassEffects*>(pass))
+  {
+    return passes->GetEffects();
+  }
+  penumbra::EffectList effects;
+  effects.AmbientOcclusion = pass->IsA("vtkPenumbraTemporalSSAOPass");
+  effects.LightShafts = pass->IsA("vtkPenumbraLightShaftPass");
+  effects.Other = !effects.AmbientOcclusion && !effects.LightShafts;
+  return effects;
+}
+
+/// Returns whether the pass of a renderer computes effects that rays do not compute.
+bool IsIgnored(vtkRenderPass* pass, bool occlusion, bool shafts)
+{
+  const penumbra::EffectList effects = FindEffects(pass);
+  return !pass->IsA("vtkPenumbraRayCastPass") &&
+    (effects.Other || (effects.AmbientOcclusion && !occlusion) || (effects.LightShafts && !shafts));
 }
 
 }
@@ -250,7 +263,7 @@ void vtkPenumbraRayCaster::Internals::WarnOfScene(
     penumbra::WarnFeature(penumbra::Feature::RendererOcclusion, "", scene.Warnings);
   }
   vtkRenderPass* const pass = this->Renderer ? this->Renderer->GetPass() : nullptr;
-  if (pass && IsIgnored(pass, self->GetAmbientOcclusion() || this->Medium))
+  if (pass && IsIgnored(pass, self->GetAmbientOcclusion(), this->Medium))
   {
     penumbra::WarnFeature(penumbra::Feature::RenderPass, "", scene.Warnings);
   }

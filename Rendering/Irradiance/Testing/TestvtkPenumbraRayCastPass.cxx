@@ -385,6 +385,16 @@ TEST(RayCaster, WarnsOfPassesUnlessItComputesTheirEffects)
   EXPECT_EQ(countWarnings(occlusion, true, false), 0u);
   EXPECT_EQ(countWarnings(shafts, false, true), 0u);
   EXPECT_EQ(countWarnings(outermost, true, false), 0u);
+  const auto both = [&](vtkRenderer* renderer) {
+    occlusion(renderer);
+    shafts(renderer);
+  };
+  EXPECT_EQ(countWarnings(shafts, true, false), 1u);
+  EXPECT_EQ(countWarnings(occlusion, false, true), 1u);
+  EXPECT_EQ(countWarnings(outermost, false, true), 1u);
+  EXPECT_EQ(countWarnings(both, true, false), 1u);
+  EXPECT_EQ(countWarnings(both, false, true), 1u);
+  EXPECT_EQ(countWarnings(both, true, true), 0u);
   EXPECT_EQ(countWarnings(other, true, true), 1u);
 }
 

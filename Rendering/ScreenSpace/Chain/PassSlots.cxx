@@ -61,13 +61,18 @@ std::optional<PassSlot> FindInnerSlot(const PassSlot& slot)
 
 std::vector<PassSlot> FindPassSlots(vtkRenderer* renderer)
 {
-  std::vector<PassSlot> slots;
   if (!renderer)
   {
-    return slots;
+    return {};
   }
-  std::optional<PassSlot> next = PassSlot{ renderer->GetPass(),
-    [renderer](vtkRenderPass* pass) { renderer->SetPass(pass); }, false };
+  return FindInnerSlots(
+    { renderer->GetPass(), [renderer](vtkRenderPass* pass) { renderer->SetPass(pass); }, false });
+}
+
+std::vector<PassSlot> FindInnerSlots(const PassSlot& slot)
+{
+  std::vector<PassSlot> slots;
+  std::optional<PassSlot> next = slot;
   while (next)
   {
     slots.push_back(*next);

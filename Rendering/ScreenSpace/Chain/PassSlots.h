@@ -34,6 +34,9 @@ struct PassSlot
 /// Returns no slots if `renderer` is null.
 VTKPENUMBRARENDERINGSCREENSPACE_EXPORT std::vector<PassSlot> FindPassSlots(vtkRenderer* renderer);
 
+/// The same from a pass inwards.
+std::vector<PassSlot> FindInnerSlots(const PassSlot& slot);
+
 /// Finds the first slot whose pass satisfies `predicate`; null if there is none.
 VTKPENUMBRARENDERINGSCREENSPACE_EXPORT const PassSlot* FindPass(
   const std::vector<PassSlot>& slots, const std::function<bool(vtkRenderPass*)>& predicate);

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RendererStepsPass.h"
 
+#include "PassSlots.h"
+
 #include "vtkHardwareSelector.h"
 #include "vtkHiddenLineRemovalPass.h"
+#include "vtkImageProcessingPass.h"
 #include "vtkLightsPass.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
@@ -101,6 +104,20 @@ void RendererStepsPass::ReleaseGraphicsResources(vtkWindow* window)
     this->OpaquePass->ReleaseGraphicsResources(window);
   }
   this->FXAAFilter->ReleaseGraphicsResources();
+}
+
+EffectList RendererCameraPass::GetEffects()
+{
+  EffectList effects;
+  for (const PassSlot& slot : FindInnerSlots({ this, nullptr, false }))
+  {
+    const bool occlusion = slot.Pass && slot.Pass->IsA("vtkPenumbraTemporalSSAOPass");
+    const bool shafts = slot.Pass && slot.Pass->IsA("vtkPenumbraLightShaftPass");
+    effects.AmbientOcclusion |= occlusion;
+    effects.LightShafts |= shafts;
+    effects.Other |= vtkImageProcessingPass::SafeDownCast(slot.Pass) && !occlusion && !shafts;
+  }
+  return effects;
 }
 
 RendererCameraPass::RendererCameraPass()

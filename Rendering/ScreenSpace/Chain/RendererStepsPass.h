@@ -6,6 +6,7 @@
 #ifndef penumbra_RendererStepsPass_h
 #define penumbra_RendererStepsPass_h
 
+#include "PassEffects.h"
 #include "vtkCameraPass.h"
 #include "vtkNew.h"
 #include "vtkOpenGLFXAAFilter.h"
@@ -39,15 +40,17 @@ private:
   bool WarnedOfOcclusion = false;
 };
 
-/// Camera pass of a renderer without other passes: it delegates to the render steps. Its class name tells
-/// vtkPenumbraRayCaster, which does not know this module, that the pass of a renderer is Penumbra's.
-class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT RendererCameraPass : public vtkCameraPass
+/// Camera pass of a renderer without other passes: it delegates to the render steps.
+class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT RendererCameraPass
+  : public vtkCameraPass
+  , public PassEffects
 {
 public:
   static RendererCameraPass* New();
   vtkTypeMacro(RendererCameraPass, vtkCameraPass);
 
   RendererStepsPass* GetSteps() { return this->Steps; }
+  EffectList GetEffects() override;
 
 private:
   RendererCameraPass();
