@@ -217,8 +217,9 @@ TEST(vtkPenumbraIrradianceSplatPass, MatchesTheCacheInParallelProjection)
 
   const Difference difference = CompareOcclusion(scene);
   EXPECT_GT(difference.Pixels, ImageWidth * ImageHeight / 3);
-  EXPECT_LT(difference.Rms, 1.5 / 255.0); // where no record is valid, the cache traces rays
-  EXPECT_LT(difference.FractionAbove, .005);
+  EXPECT_LT(difference.Rms, 1.5 / 255.0);
+  // Where an invalid record has the largest weight, the cache traces rays, and the pass interpolates.
+  EXPECT_LT(difference.FractionAbove, .01);
 }
 
 TEST(vtkPenumbraIrradianceSplatPass, MatchesTheCacheFarFromTheOrigin)
