@@ -43,7 +43,7 @@ void UseHarmonicMean(Cache* cache)
 /// [IC] limits the radius to at least 2 to 4 pixels.
 void UseLargeMinimumRadius(Cache* cache)
 {
-  cache->SetMinimumRadius(16.0);
+  cache->SetMinimumRadius(32.0);
 }
 
 glm::dvec3 World(const Scene& scene, const RecordCandidate& site)
@@ -257,7 +257,7 @@ ScenarioResult BakedUnits(Variant variant)
 std::vector<Scenario> IrradianceScenarios()
 {
   const std::string rule = "radii from the second derivative: harmonic mean of the distances";
-  const std::string limit = "minimum radius of 3 pixels: 16 pixels";
+  const std::string limit = "minimum radius of 3 pixels: 32 pixels";
   const std::string lazy = "records before queries: the lazy order of [IC]";
   const std::string dependent = "[IC] depends on the order of queries";
   const std::string closedForm = " against the closed form";
@@ -267,7 +267,7 @@ std::vector<Scenario> IrradianceScenarios()
     { "CacheHovering", "a sphere above a floor" + closedForm, "still", Metric::Bias, .01, rule,
       "[IC] distant records overrule a contact shadow", "", Sphere(1.5, 256, UseHarmonicMean) },
     { "CacheSmallImage", "a sphere on a floor, in an image of 128x128 pixels" + closedForm, "still",
-      Metric::Bias, .01, limit, "[IC] radii without bounds", "",
+      Metric::Bias, .0085, limit, "[IC] radii without bounds", "",
       Sphere(1.0, 128, UseLargeMinimumRadius) },
     { "CacheConcaveCorner", "a floor and a wall" + closedForm, "still", Metric::Bias, .005, limit,
       "[IC] radius 0 on concave surfaces", "", ConcaveCorner },
