@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a render pass of a renderer computes, for the ray caster, which does not know the passes: it warns of
-// effects that it was not told to compute itself.
+// Effects of the render pass of a renderer. The ray caster, which does not include the passes, warns of those that it
+// does not compute.
 #ifndef penumbra_PassEffects_h
 #define penumbra_PassEffects_h
 
 #include "vtkPenumbraFiltersMediumModule.h" // for export macro
+
+class vtkObjectBase;
 
 namespace penumbra
 {
@@ -25,6 +27,9 @@ public:
   virtual ~PassEffects();
   virtual EffectList GetEffects() = 0;
 };
+
+/// Returns the effects of a pass alone, by its class: other classes than the two passes of effects have `Other`.
+VTKPENUMBRAFILTERSMEDIUM_EXPORT EffectList FindEffectsOfClass(vtkObjectBase* pass);
 
 }
 #endif

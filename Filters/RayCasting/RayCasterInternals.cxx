@@ -38,23 +38,12 @@ void RequireUsable(const penumbra::Scene& scene)
   }
 }
 
-penumbra::EffectList FindEffects(vtkRenderPass* pass)
-{
-  if (auto* passes = dynamic_cast<penumbra::PassEffects*>(pass))
-  {
-    return passes->GetEffects();
-  }
-  penumbra::EffectList effects;
-  effects.AmbientOcclusion = pass->IsA("vtkPenumbraTemporalSSAOPass");
-  effects.LightShafts = pass->IsA("vtkPenumbraLightShaftPass");
-  effects.Other = !effects.AmbientOcclusion && !effects.LightShafts;
-  return effects;
-}
-
 /// Returns whether the pass of a renderer computes effects that rays do not compute.
 bool IsIgnored(vtkRenderPass* pass, bool occlusion, bool shafts)
 {
-  const penumbra::EffectList effects = FindEffects(pass);
+  auto* passes = dynamic_cast<penumbra::PassEffects*>(pass);
+  const penumbra::EffectList effects =
+    passes ? passes->GetEffects() : penumbra::FindEffectsOfClass(pass);
   return !pass->IsA("vtkPenumbraRayCastPass") &&
     (effects.Other || (effects.AmbientOcclusion && !occlusion) || (effects.LightShafts && !shafts));
 }

@@ -111,11 +111,13 @@ EffectList RendererCameraPass::GetEffects()
   EffectList effects;
   for (const PassSlot& slot : FindInnerSlots({ this, nullptr, false }))
   {
-    const bool occlusion = slot.Pass && slot.Pass->IsA("vtkPenumbraTemporalSSAOPass");
-    const bool shafts = slot.Pass && slot.Pass->IsA("vtkPenumbraLightShaftPass");
-    effects.AmbientOcclusion |= occlusion;
-    effects.LightShafts |= shafts;
-    effects.Other |= vtkImageProcessingPass::SafeDownCast(slot.Pass) && !occlusion && !shafts;
+    if (vtkImageProcessingPass::SafeDownCast(slot.Pass))
+    {
+      const EffectList own = FindEffectsOfClass(slot.Pass);
+      effects.AmbientOcclusion |= own.AmbientOcclusion;
+      effects.LightShafts |= own.LightShafts;
+      effects.Other |= own.Other;
+    }
   }
   return effects;
 }
