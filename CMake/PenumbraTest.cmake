@@ -25,10 +25,14 @@ if (NOT PENUMBRA_TEST_ONCE)
   endforeach ()
 endif ()
 
-# Ends a test after this time with its stack printed; reports processes that it leaves behind.
+# The launcher ends a test after this time with its stack printed, and reports processes that it leaves behind.
 if (BUILD_TESTING)
   add_executable(penumbra-run-limited "${PROJECT_SOURCE_DIR}/Testing/Launcher/run-limited.cxx")
   penumbra_warnings(penumbra-run-limited)
+  add_library(penumbra_test_main OBJECT "${PROJECT_SOURCE_DIR}/Testing/Launcher/main.cxx")
+  target_include_directories(penumbra_test_main PRIVATE "${PROJECT_SOURCE_DIR}/Command")
+  target_link_libraries(penumbra_test_main PUBLIC GTest::gtest)
+  penumbra_warnings(penumbra_test_main)
 endif ()
 set(penumbra_test_launcher "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/penumbra-run-limited" --limit 570)
 
@@ -52,7 +56,7 @@ function (penumbra_add_test_program program labels)
   set_target_properties(${program} PROPERTIES
     LINKER_LANGUAGE CXX
     CROSSCOMPILING_EMULATOR "${penumbra_test_launcher}")
-  target_link_libraries(${program} PRIVATE GTest::gtest_main)
+  target_link_libraries(${program} PRIVATE penumbra_test_main)
   add_dependencies(${program} penumbra-run-limited)
   gtest_discover_tests(${program} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 300
     ${penumbra_test_filter}

@@ -3,14 +3,15 @@
 //
 // The program `penumbra`.
 #include "Parsing/Program.h"
+#include "Processes/EndProcess.h"
 #include "Subcommands.h"
 
 int main(int argc, char** argv)
 {
   using namespace penumbra;
   ExecuteChartProgram(argc, argv);
-  return RunProgram(argc, argv,
+  EndProcess(RunProgram(argc, argv,
     { { "render", DeclareRender }, { "animate", DeclareAnimate }, { "bake", DeclareBake },
       { "chart", DeclareChart }, { "compare", DeclareCompare }, { "list", DeclareList },
-      { "info", DeclareInfo } });
+      { "info", DeclareInfo } }));
 }

@@ -4,6 +4,7 @@
 // The program `penumbra-chart`, which `penumbra chart` starts.
 #include "Chart.h"
 #include "Parsing/Program.h"
+#include "Processes/EndProcess.h"
 
 #include <string>
 #include <vector>
@@ -15,6 +16,6 @@ int main(int argc, char** argv)
   std::vector<char*> arguments = { program.data(), subcommand.data() };
   arguments.insert(arguments.end(), argv + 1, argv + argc);
   arguments.push_back(nullptr);
-  return penumbra::RunProgram(static_cast<int>(arguments.size()) - 1, arguments.data(),
-    { { "chart", penumbra::DeclareChart } });
+  penumbra::EndProcess(penumbra::RunProgram(static_cast<int>(arguments.size()) - 1,
+    arguments.data(), { { "chart", penumbra::DeclareChart } }));
 }

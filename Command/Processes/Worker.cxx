@@ -3,6 +3,7 @@
 #include "Worker.h"
 
 #include "CommandError.h"
+#include "EndProcess.h"
 #include "MessageLog.h"
 
 #include <algorithm>
@@ -220,7 +221,7 @@ public:
       CurrentStatus = &this->Reports[number];
       this->Signals.EnterWorker();
       LimitMemory();
-      std::exit(penumbra::RunGuarded([&]() { return task(number); }));
+      penumbra::EndProcess(penumbra::RunGuarded([&]() { return task(number); }));
     }
     if (child > 0)
     {
