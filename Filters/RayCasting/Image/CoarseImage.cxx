@@ -49,11 +49,7 @@ typename LightTerms<N>::Value EstimateLight(
     typename LightTerms<N>::Value values[Size];
     for (std::uint32_t i = 0; i < Size; ++i)
     {
-      const glm::vec2 at = sequence.At(first + i);
-      rays[i].Origin = layer.Position + RayOriginOffset(layer.Position) * layer.Geometric;
-      rays[i].Direction =
-        normals.ReflectAbove(frame * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
-      rays[i].Far = source.GetRadius();
+      rays[i] = source.MakeRay(layer.Position, normals, frame, sequence.At(first + i));
       starts[i] = { layer.Position, normals,
         lights.At(OwenSobolSequence::ShuffleIndex(first + i, seed)) };
     }

@@ -8,10 +8,10 @@
 #include "Embree/RayScene.h"
 #include "LightSite.h"
 #include "Shading/DistanceFalloff.h"
+#include "Shading/HemisphereSampling.h"
 #include "Shading/Illumination.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -77,11 +77,18 @@ public:
   {
   }
 
-  /// Returns the distance at which rays end, in scene units.
-  float GetRadius() const
+  /// Returns a ray above a surface, in the direction of a point of the unit square, which the cosine weights.
+  /// `frame`: FrameFromNormal() of the shading normal.
+  Ray MakeRay(
+    glm::vec3 position, const SurfaceNormals& normals, const glm::mat3& frame, glm::vec2 at) const
   {
-    return LightTerms<N>::HasRadiance ? std::numeric_limits<float>::infinity()
-                                      : this->Effects.Occlusion->GetRadius();
+    Ray ray = Illumination::SpawnRay(
+      position, normals, frame * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
+    if (!LightTerms<N>::HasRadiance)
+    {
+      ray.Far = this->Effects.Occlusion->GetRadius();
+    }
+    return ray;
   }
 
   /// Returns the tolerance of the sum of the effects, on a white surface.

@@ -199,11 +199,7 @@ void LitSamples<N>::AddRays(std::uint32_t seed, std::uint32_t first,
     const SurfaceNormals normals(layer.Normal, layer.Geometric);
     const std::uint32_t sample = first + RaysOfLitSample * static_cast<std::uint32_t>(i);
     const glm::vec2 at = directions.At(OwenSobolSequence::ShuffleIndex(sample, seed));
-    Ray& ray = rays[count];
-    ray.Origin = layer.Position + RayOriginOffset(layer.Position) * layer.Geometric;
-    ray.Direction = normals.ReflectAbove(
-      FrameFromNormal(layer.Normal) * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
-    ray.Far = this->Source.GetRadius();
+    rays[count] = this->Source.MakeRay(layer.Position, normals, FrameFromNormal(layer.Normal), at);
     if constexpr (LightTerms<N>::HasRadiance)
     {
       starts[count] = { layer.Position, normals,

@@ -360,16 +360,11 @@ void SiteSampler<N>::QueueRays(
   const OwenSobolSequence lights = MakeSequence(this->Seed, half, LightSamples);
   const SurfaceNormals normals(layer.Normal, layer.Geometric);
   const glm::mat3 frame = FrameFromNormal(layer.Normal);
-  const glm::vec3 origin = layer.Position + RayOriginOffset(layer.Position) * layer.Geometric;
   for (std::uint32_t i = 0; i < count; ++i)
   {
     const glm::vec2 at =
       sequence.At(OwenSobolSequence::ShuffleIndex(request.FirstRay + i, this->Seed + half));
-    Ray& ray = this->Rays[this->Count];
-    ray.Origin = origin;
-    ray.Direction =
-      normals.ReflectAbove(frame * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
-    ray.Far = this->Source.GetRadius();
+    this->Rays[this->Count] = this->Source.MakeRay(layer.Position, normals, frame, at);
     this->Owners[this->Count] = { request.Cell, site, half };
     if constexpr (LightTerms<N>::HasRadiance)
     {

@@ -198,14 +198,15 @@ void PixelSampler::Refine(SampledPixel& pixel)
     std::max(pixel.MinimumError, pixel.Floor / static_cast<float>(total)), pixel.Result);
 }
 
-void PixelSampler::TraceLitSamples(SampledPixel& pixel, std::size_t total)
+/// Traces camera rays up to `total` samples. trace(first, points) adds the samples of the packet whose first one has
+/// the index `first`.
+template <typename Trace>
+void PixelSampler::TracePackets(SampledPixel& pixel, std::size_t total, const Trace& trace)
 {
   const std::size_t before = pixel.Samples.size();
   const OwenSobolSequence sequence(pixel.GetSeed());
   glm::dvec2 points[CameraRayTracer::PacketSize];
   pixel.Samples.reserve(total);
-  this->Lit.Occlusion = pixel.Occlusion;
-  this->Lit.Surfaces = pixel.Surfaces;
   while (pixel.Samples.size() < total)
   {
     const auto first = static_cast<std::uint32_t>(pixel.Samples.size());
@@ -214,24 +215,32 @@ void PixelSampler::TraceLitSamples(SampledPixel& pixel, std::size_t total)
       points[i] = glm::dvec2(pixel.X, pixel.Y) + SampleInset +
         (1.0 - 2.0 * SampleInset) * glm::dvec2(sequence.At(first + i));
     }
+    trace(first, points);
+  }
+  this->Pixel.Rays.Refinement += static_cast<long long>(total - before);
+  pixel.Rays += static_cast<long long>(total - before);
+}
+
+void PixelSampler::TraceLitSamples(SampledPixel& pixel, std::size_t total)
+{
+  this->Lit.Occlusion = pixel.Occlusion;
+  this->Lit.Surfaces = pixel.Surfaces;
+  this->TracePackets(pixel, total, [&](std::uint32_t first, const glm::dvec2* points) {
     this->Pixel.Settings.Light->TraceSamples(
       pixel.GetSeed(), first, points, this->Lit, this->Pixel.Rays);
     for (const penumbra::Sample& sample : this->Lit.Samples)
     {
       pixel.Samples.push_back(sample.Color);
     }
-  }
+  });
   pixel.Occlusion = this->Lit.Occlusion;
   pixel.Surfaces = this->Lit.Surfaces;
   pixel.Result.Occlusion =
     pixel.Surfaces > 0 ? pixel.Occlusion / static_cast<float>(pixel.Surfaces) : 0.f;
-  this->Pixel.Rays.Refinement += static_cast<long long>(total - before);
-  pixel.Rays += static_cast<long long>(total - before);
 }
 
 void PixelSampler::TraceSamples(SampledPixel& pixel, std::size_t total)
 {
-  const std::size_t before = pixel.Samples.size();
   const bool hasFaces = !pixel.FaceColors.empty();
   if (hasFaces)
   {
@@ -241,19 +250,9 @@ void PixelSampler::TraceSamples(SampledPixel& pixel, std::size_t total)
     this->BuildFaces();
   }
   this->Pixel.ForgetNeighbors();
-  const OwenSobolSequence sequence(pixel.GetSeed());
   const double toleranceScale = ComputeToleranceScale(1.0 / static_cast<double>(total));
-  glm::dvec2 points[CameraRayTracer::PacketSize];
   penumbra::Sample samples[CameraRayTracer::PacketSize];
-  pixel.Samples.reserve(total);
-  while (pixel.Samples.size() < total)
-  {
-    for (glm::dvec2& point : points)
-    {
-      const auto index = static_cast<std::uint32_t>(pixel.Samples.size() + (&point - points));
-      point = glm::dvec2(pixel.X, pixel.Y) + SampleInset +
-        (1.0 - 2.0 * SampleInset) * glm::dvec2(sequence.At(index));
-    }
+  this->TracePackets(pixel, total, [&](std::uint32_t, const glm::dvec2* points) {
     const std::uint32_t penumbrae = this->Pixel.Grid.GetPenumbrae(glm::dvec2(pixel.X, pixel.Y));
     this->Pixel.Tracer.TracePacket(points, 0xffffu, samples, this->Pixel.Rays, toleranceScale,
       penumbrae, this->Pixel.GetNeighbors(penumbrae));
@@ -264,9 +263,7 @@ void PixelSampler::TraceSamples(SampledPixel& pixel, std::size_t total)
         : glm::vec4(0.f);
       pixel.Samples.push_back(samples[i].Color - expected);
     }
-  }
-  this->Pixel.Rays.Refinement += static_cast<long long>(total - before);
-  pixel.Rays += static_cast<long long>(total - before);
+  });
 }
 
 }

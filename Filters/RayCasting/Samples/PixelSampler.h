@@ -53,6 +53,8 @@ private:
   SampledPixel& AddPixel();
   bool BuildFaces();
   void ComputeFaceColors(SampledPixel& pixel);
+  template <typename Trace>
+  void TracePackets(SampledPixel& pixel, std::size_t total, const Trace& trace);
   void TraceSamples(SampledPixel& pixel, std::size_t total);
   void TraceLitSamples(SampledPixel& pixel, std::size_t total);
 
