@@ -168,9 +168,4 @@ Json ReadJson(const std::string& path)
   return Json::Parse(ReadText(path));
 }
 
-Json Compare(const std::string& a, const std::string& b)
-{
-  return Json::Parse(RunProgram({ "compare", a, b, "--json" }).Output);
-}
-
 }

@@ -58,8 +58,5 @@ void WriteText(const std::string& path, const std::string& text);
 std::string ReadText(const std::string& path);
 Json ReadJson(const std::string& path);
 
-/// Returns the report of `penumbra compare A B --json`.
-Json Compare(const std::string& a, const std::string& b);
-
 }
 #endif

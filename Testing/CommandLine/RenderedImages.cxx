@@ -10,6 +10,8 @@
 #include "vtkPointData.h"
 #include "vtkXMLImageDataReader.h"
 
+#include <cmath>
+
 namespace penumbra_testing
 {
 
@@ -41,6 +43,15 @@ Pixel PixelAt(vtkImageData* image, int x, int y)
   const vtkIdType index = static_cast<vtkIdType>(y) * image->GetDimensions()[0] + x;
   return { color->GetComponent(index, 0) * scale, color->GetComponent(index, 1) * scale,
     color->GetComponent(index, 2) * scale };
+}
+
+double Compare(
+  const std::string& a, const std::string& b, vtkPenumbraImageComparison::Metrics metric)
+{
+  vtkNew<vtkPenumbraImageComparison> comparison;
+  comparison->SetImage(ReadImage(a));
+  comparison->AddBaseline(ReadImage(b));
+  return comparison->Compare() ? comparison->GetValue(metric) : std::nan("");
 }
 
 }

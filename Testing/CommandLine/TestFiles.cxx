@@ -62,8 +62,10 @@ TEST(FullDisk, LeavesNoPartialImage)
   const Folder folder("full-image");
   WriteText(folder / "square.stl", SquareStl());
   const std::string square = Quote(folder / "square.stl");
-  ASSERT_EQ(
-    RunShell("$PENUMBRA render " + square + " --output " + Quote(folder / "a.png")).Status, 0);
+  ASSERT_EQ(RunShell("$PENUMBRA render " + square + " --resolution 40,30 --output " +
+              Quote(folder / "a.png"))
+              .Status,
+    0);
   for (const std::string name : { "p.png", "p.jpg", "p.tif", "p.bmp", "p.vti" })
   {
     const std::string output = Quote(folder / name);
@@ -233,7 +235,7 @@ TEST(Reading, LimitsMemoryByFileSize)
 
 struct Sample
 {
-  std::string Name;
+  std::string Extension;
   std::string Bytes;
 };
 
@@ -242,64 +244,68 @@ std::vector<Sample> Samples()
 {
   const auto zeros = [](std::size_t count) { return std::string(count, '\0'); };
   std::vector<Sample> samples = {
-    { "a.pts", "4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n" },
-    { "raw.nrrd",
+    { ".pts", "4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n" },
+    { ".nrrd",
       "NRRD0004\ntype: unsigned char\ndimension: 3\nsizes: 4 4 4\nencoding: raw\n\n" +
         std::string(64, 'v') },
-    { "text.nrrd",
+    { ".nrrd",
       "NRRD0004\ntype: float\ndimension: 3\nsizes: 2 2 2\nencoding: ascii\n\n0 1 2 3\n4 5 6 7\n" },
-    { "a.inp",
+    { ".inp",
       "4 1 1 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n1 1 tet 1 2 3 4\n1 1\ns, m\n1 0\n2 1\n3 2\n"
       "4 3\n" },
-    { "a.tec",
+    { ".tec",
       "TITLE = \"t\"\nVARIABLES = \"X\", \"Y\", \"Z\", \"S\"\nZONE T=\"a\", N=4, E=2, F=FEPOINT, "
       "ET=TRIANGLE\n0 0 0 1\n1 0 0 2\n1 1 0 3\n0 1 0 4\n1 2 3\n1 3 4\n" },
-    { "raw.slc", "11111\n4 4 2 8\n1 1 1\n0 0 0\n0\n2 2 X" + zeros(12) + std::string(32, 'v') },
-    { "packed.slc",
+    { ".slc", "11111\n4 4 2 8\n1 1 1\n0 0 0\n0\n2 2 X" + zeros(12) + std::string(32, 'v') },
+    { ".slc",
       "11111\n4 4 2 8\n1 1 1\n0 0 0\n1\n2 2 X" + zeros(12) + "3 X\x10\x05" + zeros(1) +
         "3 X\x10\x07" + zeros(1) },
   };
   return samples;
 }
 
-// Truncates at fractions that are within a section, and before the last character.
-void ExpectCutsRefused(const Folder& folder, const std::string& name, const std::string& bytes,
-  const std::string& opened)
+// Truncates at fractions that are within a section, and before the last character. One run of the program renders the
+// whole file and all parts. `header`: text of a file NAME.case that is opened and refers to the file; or empty.
+void ExpectCutsRefused(
+  const std::string& extension, const std::string& bytes, const std::string& header = "")
 {
-  const std::string input = opened.empty() ? name : opened;
-  const auto render = [&]() {
-    return RunShell("timeout 20 $PENUMBRA render " + Quote(folder / input) +
-      " --resolution 9,9 --output " + Quote(folder / "p.png"));
-  };
-  WriteText(folder / name, bytes);
-  const ProgramResult whole = render();
-  EXPECT_EQ(whole.Status, 0) << name << whole.Errors;
-  fs::remove(folder / "p.png");
+  const Folder folder("truncated");
   const std::size_t end = bytes.find_last_not_of(" \n");
-  std::vector<std::size_t> cuts;
+  std::vector<std::size_t> cuts = { bytes.size() };
   for (const double fraction : { 0.1, 0.3, 0.5, 0.7, 0.92 })
   {
     cuts.push_back(static_cast<std::size_t>(fraction * static_cast<double>(end)));
   }
   cuts.push_back(end);
-  for (const std::size_t cut : cuts)
+  std::string files;
+  for (std::size_t i = 0; i < cuts.size(); ++i)
   {
-    WriteText(folder / name, bytes.substr(0, cut));
-    const ProgramResult outcome = render();
-    EXPECT_EQ(outcome.Status, 2) << name << " cut to " << cut << " of " << bytes.size() << ": "
-                                 << outcome.Errors;
-    EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
-    EXPECT_FALSE(fs::exists(folder / "p.png"));
-    fs::remove(folder / "p.png");
+    const std::string name = std::to_string(i);
+    WriteText(folder / name + extension, bytes.substr(0, cuts[i]));
+    if (!header.empty())
+    {
+      WriteText(folder / name + ".case", header + name + extension + "\n");
+    }
+    files += Quote(folder / name + (header.empty() ? extension : ".case")) + " ";
+  }
+  const ProgramResult outcome = RunShell("timeout 60 $PENUMBRA render " + files +
+    "--resolution 9,9 --output " + Quote(folder / "{name}.png"));
+  EXPECT_EQ(outcome.Status, 2) << extension;
+  EXPECT_EQ(CountLines(outcome.Errors), 6) << extension << ": " << outcome.Errors;
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+  {
+    const std::string name = std::to_string(i);
+    EXPECT_EQ(fs::exists(folder / name + ".png"), i == 0)
+      << extension << " cut to " << cuts[i] << " of " << bytes.size();
+    EXPECT_EQ(outcome.Errors.find("/" + name + ".") == std::string::npos, i == 0) << outcome.Errors;
   }
 }
 
 TEST(Truncated, MissingValuesAreReported)
 {
-  const Folder folder("truncated");
   for (const Sample& sample : Samples())
   {
-    ExpectCutsRefused(folder, sample.Name, sample.Bytes, "");
+    ExpectCutsRefused(sample.Extension, sample.Bytes);
   }
 }
 
@@ -307,25 +313,22 @@ TEST(Truncated, LegacyFilesAreReported)
 {
   const Folder folder("truncated-legacy");
   WriteSpheres(folder.Path);
-  ExpectCutsRefused(folder, "sphere.vtk", ReadText(folder / "sphere.vtk"), "");
+  ExpectCutsRefused(".vtk", ReadText(folder / "sphere.vtk"));
   WriteText(folder / "square.stl", SquareStl());
   ASSERT_EQ(RunProgram({ "bake", folder / "square.stl", "--output", folder / "b.vtk" }).Status, 0);
-  ExpectCutsRefused(folder, "b.vtk", ReadText(folder / "b.vtk"), "");
-  ExpectCutsRefused(folder, "a.vtk",
+  ExpectCutsRefused(".vtk", ReadText(folder / "b.vtk"));
+  ExpectCutsRefused(".vtk",
     "# vtk DataFile Version 3.0\na grid\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
     "0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\nPOINT_DATA 4\n"
-    "SCALARS s float 1\nLOOKUP_TABLE default\n0 1 2 3\nVECTORS v float\n0 0 0 1 1 1 2 2 2 3 3 3\n",
-    "");
+    "SCALARS s float 1\nLOOKUP_TABLE default\n0 1 2 3\nVECTORS v float\n0 0 0 1 1 1 2 2 2 3 3 3\n");
 }
 
 TEST(Truncated, EnSightGeometriesAreReported)
 {
-  const Folder folder("truncated-case");
-  WriteText(folder / "a.case", "FORMAT\ntype: ensight gold\n\nGEOMETRY\nmodel: a.geo\n");
-  ExpectCutsRefused(folder, "a.geo",
+  ExpectCutsRefused(".geo",
     "title\nmore\nnode id assign\nelement id assign\npart\n1\nonly\ncoordinates\n4\n0.0\n1.0\n0.0\n"
     "0.0\n0.0\n0.0\n1.0\n0.0\n0.0\n0.0\n0.0\n1.0\ntetra4\n1\n1 2 3 4\n",
-    "a.case");
+    "FORMAT\ntype: ensight gold\n\nGEOMETRY\nmodel: ");
 }
 
 TEST(Faults, ClosedStreamsDoNotChangeImages)

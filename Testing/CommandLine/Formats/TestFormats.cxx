@@ -241,32 +241,34 @@ std::string BinaryPly(const Mesh& mesh, bool bigEndian)
   return bytes;
 }
 
-ProgramResult Render(const std::string& mesh, const std::vector<std::string>& options = {})
+using Variants = std::vector<std::pair<std::string, std::string>>;
+
+ProgramResult Render(const std::vector<std::string>& meshes, const std::string& output)
 {
-  std::vector<std::string> arguments = { "render", mesh, "--output", mesh + ".png", "--resolution",
-    "80,64", "--camera-direction=-1,-1.2,-2" };
-  arguments.insert(arguments.end(), options.begin(), options.end());
+  std::vector<std::string> arguments = { "render", "--output", output, "--resolution", "80,64",
+    "--camera-direction=-1,-1.2,-2" };
+  arguments.insert(arguments.end(), meshes.begin(), meshes.end());
   return RunProgram(arguments);
 }
 
-/// Renders `text` as a file and compares with the image of `mesh` in a .vtp file.
-void ExpectImageOf(const Folder& folder, const Mesh& mesh, const std::string& name,
-  const std::string& extension, const std::string& text)
+/// Renders the texts as files, all with one run of the program, and compares with the image of `mesh` in a .vtp file.
+void ExpectImagesOf(
+  const Folder& folder, const Mesh& mesh, const std::string& extension, const Variants& variants)
 {
-  const std::string truth = folder / "truth.vtp";
-  if (!std::ifstream(truth + ".png"))
+  std::vector<std::string> files = { folder / "truth.vtp" };
+  WriteVtp(mesh, files[0]);
+  for (const auto& [name, text] : variants)
   {
-    WriteVtp(mesh, truth);
-    ASSERT_EQ(Render(truth).Status, 0);
+    files.push_back(folder / name + extension);
+    WriteText(files.back(), text);
   }
-  const std::string path = folder / name + extension;
-  WriteText(path, text);
-  const ProgramResult outcome = Render(path);
-  EXPECT_EQ(outcome.Status, 0) << name << ": " << outcome.Errors;
-  EXPECT_EQ(outcome.Errors, "") << name;
-  if (outcome.Status == 0)
+  const ProgramResult outcome = Render(files, folder / "{name}.png");
+  EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
+  EXPECT_EQ(outcome.Errors, "");
+  for (const auto& [name, text] : variants)
   {
-    EXPECT_LE(Compare(path + ".png", truth + ".png")["metrics"]["max"], 1.01 / 255.0) << name;
+    EXPECT_LE(Compare(folder / name + ".png", folder / "truth.png"), 1.01 / 255.0)
+      << name << extension;
   }
 }
 
@@ -275,8 +277,8 @@ TEST(Stl, TextVariantsGiveTheSameImage)
   const Folder folder("stl");
   const Mesh cube = Cube();
   const std::string body = Stl(cube);
-  const std::vector<std::pair<std::string, std::string>> variants = { { "plain", Solid(body) },
-    { "upper", Upper(Solid(body)) }, { "end-solid", "solid a\n" + body + "end solid a\n" },
+  const Variants variants = { { "plain", Solid(body) }, { "upper", Upper(Solid(body)) },
+    { "end-solid", "solid a\n" + body + "end solid a\n" },
     { "indented", "  " + Replace(Solid(body), "\n", "\n\t ") }, { "utf-16", Utf16(Solid(body)) },
     { "blank-first", "\n\n" + Solid(body) }, { "mark", "\xef\xbb\xbf" + Solid(body) },
     { "carriage-return", Replace(Solid(body), "\n", "\r") },
@@ -285,10 +287,7 @@ TEST(Stl, TextVariantsGiveTheSameImage)
     { "one-line", Replace(Solid(body), "\n", " ") },
     { "trailing", Solid(body) + std::string(700, ' ') + "\n; exported\n" },
     { "color", "solid a\ncolor 0.5 0.2 0.1\n" + body + "endsolid a\n" } };
-  for (const auto& [name, text] : variants)
-  {
-    ExpectImageOf(folder, cube, name, ".stl", text);
-  }
+  ExpectImagesOf(folder, cube, ".stl", variants);
 }
 
 TEST(Obj, VariantsGiveTheSameImage)
@@ -296,7 +295,7 @@ TEST(Obj, VariantsGiveTheSameImage)
   const Folder folder("obj");
   const Mesh cube = Cube();
   const std::string points = PointLines(cube, "v ", "");
-  const std::vector<std::pair<std::string, std::string>> variants = { { "plain", Obj(cube) },
+  const Variants variants = { { "plain", Obj(cube) },
     { "groups", points + "o a\ng b\nusemtl red\n" + FaceLines(cube, "f", 1) },
     { "utf-16", Utf16(Obj(cube)) }, { "negative", points + FaceLines(cube, "f", -8) },
     { "texture", points + "vt 0 0\nvt 1\n" + FaceLines(cube, "f", 1, "/1") },
@@ -307,10 +306,7 @@ TEST(Obj, VariantsGiveTheSameImage)
     { "weights", PointLines(cube, "v ", " 1.0") + FaceLines(cube, "f", 1) },
     { "missing-normals", points + FaceLines(cube, "f", 1, "//7") },
     { "dos", Replace(Obj(cube), "\n", "\r\n") } };
-  for (const auto& [name, text] : variants)
-  {
-    ExpectImageOf(folder, cube, name, ".obj", text);
-  }
+  ExpectImagesOf(folder, cube, ".obj", variants);
 }
 
 TEST(Off, VariantsGiveTheSameImage)
@@ -318,10 +314,9 @@ TEST(Off, VariantsGiveTheSameImage)
   const Folder folder("off");
   const Mesh cube = Cube();
   const std::string body = PointLines(cube, "", "") + FaceLines(cube, "", 0);
-  const std::vector<std::pair<std::string, std::string>> variants = { { "plain", Off(cube) },
-    { "lower", Off(cube, "off\n") }, { "same-line", Off(cube, "OFF ") },
-    { "glued", Off(cube, "OFF") }, { "headless", Off(cube, "") },
-    { "comments", "# a\nOFF # b\n# c\n8 6 # d\n" + body + "# e\n" },
+  const Variants variants = { { "plain", Off(cube) }, { "lower", Off(cube, "off\n") },
+    { "same-line", Off(cube, "OFF ") }, { "glued", Off(cube, "OFF") },
+    { "headless", Off(cube, "") }, { "comments", "# a\nOFF # b\n# c\n8 6 # d\n" + body + "# e\n" },
     { "blank-lines", Replace(Off(cube), "\n", "\n\n") },
     { "colors", Off(cube, "COFF\n", " 255 0 0 255") },
     { "appended-colors", Off(cube, "OFF\n", " 1.0 0 0") },
@@ -330,10 +325,7 @@ TEST(Off, VariantsGiveTheSameImage)
     { "face-indices", Off(cube, "OFF\n", "", " 7") },
     { "one-line", Replace(Off(cube), "\n", " ") + "\n" },
     { "dos", Replace(Off(cube), "\n", "\r\n") } };
-  for (const auto& [name, text] : variants)
-  {
-    ExpectImageOf(folder, cube, name, ".off", text);
-  }
+  ExpectImagesOf(folder, cube, ".off", variants);
 }
 
 TEST(Ply, VariantsGiveTheSameImage)
@@ -350,16 +342,13 @@ TEST(Ply, VariantsGiveTheSameImage)
       "property list uchar float texcoord\nproperty list") +
     PointLines(cube, "", "") +
     Replace("\n" + FaceLines(cube, "", 0), "\n4", "\n2 .5 .5 4").substr(1);
-  const std::vector<std::pair<std::string, std::string>> variants = { { "plain", Ply(cube) },
-    { "uint", Ply(cube, "uint uint") }, { "short", Ply(cube, "short int64") },
-    { "little", BinaryPly(cube, false) }, { "big", BinaryPly(cube, true) }, { "strips", strips },
-    { "texture", texture }, { "dos", Replace(Ply(cube), "\n", "\r\n") },
+  const Variants variants = { { "plain", Ply(cube) }, { "uint", Ply(cube, "uint uint") },
+    { "short", Ply(cube, "short int64") }, { "little", BinaryPly(cube, false) },
+    { "big", BinaryPly(cube, true) }, { "strips", strips }, { "texture", texture },
+    { "dos", Replace(Ply(cube), "\n", "\r\n") },
     { "carriage-return", Replace(Ply(cube), "\n", "\r") },
     { "comments", Replace(Ply(cube), "element vertex", "comment a\nobj_info b\nelement vertex") } };
-  for (const auto& [name, text] : variants)
-  {
-    ExpectImageOf(folder, cube, name, ".ply", text);
-  }
+  ExpectImagesOf(folder, cube, ".ply", variants);
 }
 
 TEST(Formats, KeepTheDigitsOfLargeCoordinates)
@@ -367,11 +356,11 @@ TEST(Formats, KeepTheDigitsOfLargeCoordinates)
   const Folder folder("digits");
   const Mesh near = Terrain(0.0);
   const Mesh far = Terrain(1.0);
-  ExpectImageOf(folder, near, "little", ".ply", BinaryPly(far, false));
-  ExpectImageOf(folder, near, "text", ".ply", Ply(far));
-  ExpectImageOf(folder, near, "text", ".obj", Obj(far));
-  ExpectImageOf(folder, near, "text", ".off", Off(far));
-  ExpectImageOf(folder, near, "text", ".stl", Solid(Stl(far)));
+  ExpectImagesOf(
+    folder, near, ".ply", { { "little", BinaryPly(far, false) }, { "text", Ply(far) } });
+  ExpectImagesOf(folder, near, ".obj", { { "text", Obj(far) } });
+  ExpectImagesOf(folder, near, ".off", { { "text", Off(far) } });
+  ExpectImagesOf(folder, near, ".stl", { { "text", Solid(Stl(far)) } });
 }
 
 TEST(Formats, SinglePrecisionOfLargeCoordinatesIsReported)
@@ -388,7 +377,7 @@ TEST(Formats, SinglePrecisionOfLargeCoordinatesIsReported)
     }
     Append(bytes, std::uint16_t(0), false);
     WriteText(folder / "a.stl", bytes);
-    const ProgramResult outcome = Render(folder / "a.stl");
+    const ProgramResult outcome = Render({ folder / "a.stl" }, folder / "a.png");
     EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
     EXPECT_EQ(CountLines(outcome.Errors), offset > 0.0 ? 1 : 0) << outcome.Errors;
     EXPECT_EQ(outcome.Errors.find("multiples of 0.5") != std::string::npos, offset > 0.0)
@@ -406,7 +395,7 @@ TEST(Ply, PolygonsOfManyVerticesAreRead)
     mesh.Points.push_back({ std::cos(i * M_PI / 150), std::sin(i * M_PI / 150), 0.0 });
     mesh.Faces[0].push_back(i);
   }
-  ExpectImageOf(folder, mesh, "disk", ".ply", Ply(mesh, "ushort int"));
+  ExpectImagesOf(folder, mesh, ".ply", { { "disk", Ply(mesh, "ushort int") } });
 }
 
 /// A square whose vertices have the color `values` in properties of type `type`.

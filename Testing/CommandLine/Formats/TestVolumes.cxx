@@ -140,9 +140,16 @@ std::string Nrrd(const Frame& frame, bool hasComponents)
   return text.str() + Values();
 }
 
-/// Renders the file from +z and compares the bounds of the box with those of the frame.
-void ExpectBounds(
-  const Folder& folder, const std::string& name, const Frame& frame, const std::string& bytes)
+struct Volume
+{
+  std::string Name; ///< of the image; the extension of the file follows
+  std::string Extension;
+  Frame Axes;
+  std::string Bytes;
+};
+
+/// Compares the bounds of the box in an image from +z with those of the frame.
+void ExpectBounds(vtkImageData* image, const Frame& frame, const std::string& name)
 {
   Vector low = { INFINITY, INFINITY, INFINITY };
   Vector high = { -INFINITY, -INFINITY, -INFINITY };
@@ -156,15 +163,8 @@ void ExpectBounds(
       high[i] = std::max(high[i], x);
     }
   }
-  const std::string path = folder / name;
-  WriteText(path, bytes);
-  const ProgramResult outcome = RunProgram({ "render", path, "--output", path + ".vti",
-    "--resolution", "120,120", "--camera-orthographic", "--camera-position", "13,21,100",
-    "--camera-focal-point", "13,21,31", "--camera-parallel-scale", "6", "--no-lighting" });
-  ASSERT_EQ(outcome.Status, 0) << name << ": " << outcome.Errors;
-  EXPECT_EQ(outcome.Errors, "") << name;
-  const auto image = ReadImage(path + ".vti");
   vtkDataArray* depths = image->GetPointData()->GetArray("Depth");
+  ASSERT_TRUE(depths) << name;
   int left = 120;
   int right = -1;
   int bottom = 120;
@@ -189,32 +189,54 @@ void ExpectBounds(
   EXPECT_NEAR(100.0 - depth, high[2], 1e-3) << name;
 }
 
+/// Renders the volumes, with one run of the program.
+void ExpectBounds(const Folder& folder, const std::vector<Volume>& volumes)
+{
+  std::vector<std::string> arguments = { "render", "--output", folder / "{name}.vti",
+    "--resolution", "120,120", "--camera-orthographic", "--camera-position", "13,21,100",
+    "--camera-focal-point", "13,21,31", "--camera-parallel-scale", "6", "--no-lighting" };
+  for (const Volume& volume : volumes)
+  {
+    arguments.push_back(folder / volume.Name + volume.Extension);
+    WriteText(arguments.back(), volume.Bytes);
+  }
+  const ProgramResult outcome = RunProgram(arguments);
+  ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+  EXPECT_EQ(outcome.Errors, "");
+  for (const Volume& volume : volumes)
+  {
+    ExpectBounds(ReadImage(folder / volume.Name + ".vti"), volume.Axes, volume.Name);
+  }
+}
+
 TEST(Volumes, AreWhereTheirHeadersSay)
 {
   const Folder folder("volumes");
+  Frame reversed = Rotated;
+  reversed.Steps[2] = { 0, 0, -3 };
+  std::vector<Volume> volumes = { { "quaternion", ".nii", Shifted,
+                                    NiftiByQuaternion(Shifted, 0.0, 1.f) },
+    { "turned", ".nii", Rotated, NiftiByQuaternion(Rotated, 90.0, 1.f) },
+    { "reversed", ".nii", reversed, NiftiByQuaternion(Rotated, 90.0, -1.f) } };
   for (const Frame& frame : { Shifted, Rotated, Mirrored, Tipped })
   {
     const std::string name = frame.Name;
-    ExpectBounds(folder, name + ".nii", frame, NiftiByMatrix(frame));
-    ExpectBounds(folder, name + ".mha", frame, MetaImage(frame));
-    ExpectBounds(folder, name + ".nrrd", frame, Nrrd(frame, false));
-    ExpectBounds(folder, name + "-components.nrrd", frame, Nrrd(frame, true));
+    volumes.push_back({ name + "-nifti", ".nii", frame, NiftiByMatrix(frame) });
+    volumes.push_back({ name + "-meta", ".mha", frame, MetaImage(frame) });
+    volumes.push_back({ name + "-nrrd", ".nrrd", frame, Nrrd(frame, false) });
+    volumes.push_back({ name + "-components", ".nrrd", frame, Nrrd(frame, true) });
   }
-  ExpectBounds(folder, "quaternion.nii", Shifted, NiftiByQuaternion(Shifted, 0.0, 1.f));
-  ExpectBounds(folder, "turned.nii", Rotated, NiftiByQuaternion(Rotated, 90.0, 1.f));
-  Frame reversed = Rotated;
-  reversed.Steps[2] = { 0, 0, -3 };
-  ExpectBounds(folder, "reversed.nii", reversed, NiftiByQuaternion(Rotated, 90.0, -1.f));
+  ExpectBounds(folder, volumes);
 }
 
 TEST(Volumes, CompressedNiftiIsRead)
 {
   const Folder folder("compressed");
-  ExpectBounds(folder, "plain.nii", Rotated, NiftiByMatrix(Rotated));
+  const std::string bytes = NiftiByMatrix(Rotated);
+  WriteText(folder / "plain", bytes);
   ASSERT_EQ(
-    RunShell("gzip -c " + Quote(folder / "plain.nii") + " > " + Quote(folder / "a.nii.gz")).Status,
-    0);
-  ExpectBounds(folder, "copy.nii.gz", Rotated, ReadText(folder / "a.nii.gz"));
+    RunShell("gzip -c " + Quote(folder / "plain") + " > " + Quote(folder / "packed")).Status, 0);
+  ExpectBounds(folder, { { "a.nii", ".gz", Rotated, ReadText(folder / "packed") } });
 }
 
 TEST(Volumes, ParallelAxesAreRefused)
