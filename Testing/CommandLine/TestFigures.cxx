@@ -16,7 +16,7 @@ std::string RenderBar(const Folder& folder, const std::vector<std::string>& opti
 {
   WriteSphereWithArrays(folder / "sphere.vtp");
   std::vector<std::string> arguments = { "render", folder / "sphere.vtp", "--coloring-scalar-bar",
-    "--coloring-array", "Height", "--output", folder / "figure.svg" };
+    "--coloring-array", "Height", "--resolution", "200,150", "--output", folder / "figure.svg" };
   arguments.insert(arguments.end(), options.begin(), options.end());
   const ProgramResult outcome = RunProgram(arguments);
   EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
@@ -46,7 +46,7 @@ TEST(Figure, NamesCharactersThatNoFontHas)
     "SCALARS \xe6\xb8\xa9 float 1\nLOOKUP_TABLE default\n0 1 2\n");
   const auto render = [&](const std::string& name) {
     return RunProgram({ "render", folder / "square.vtk", "--coloring-scalar-bar",
-      "--coloring-array", "\xe6\xb8\xa9", "--output", folder / name });
+      "--coloring-array", "\xe6\xb8\xa9", "--resolution", "200,150", "--output", folder / name });
   };
   const ProgramResult refused = render("figure.pdf");
   EXPECT_EQ(refused.Status, 2);

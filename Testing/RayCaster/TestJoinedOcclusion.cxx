@@ -187,14 +187,14 @@ TEST(JoinedOcclusion, WorstPixelAloneIsNotReported)
 TEST(JoinedOcclusion, DoesNotDependOnThreads)
 {
   const vtkSmartPointer<vtkRenderer> renderer = MakeSpheres(3, 6.0);
-  OcclusionImage one(renderer, 160, 96, 1.0);
-  OcclusionImage many(renderer, 160, 96, 1.0);
+  OcclusionImage one(renderer, 96, 64, 1.0);
+  OcclusionImage many(renderer, 96, 64, 1.0);
   many.Caster->SetNumberOfThreads(4);
   one.Caster->Update();
   many.Caster->Update();
-  for (int y = 0; y < 96; ++y)
+  for (int y = 0; y < 64; ++y)
   {
-    for (int x = 0; x < 160; ++x)
+    for (int x = 0; x < 96; ++x)
     {
       ASSERT_EQ(one.Get("Color", x, y), many.Get("Color", x, y)) << x << " " << y;
     }

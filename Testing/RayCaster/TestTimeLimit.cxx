@@ -336,7 +336,7 @@ TEST(TimeLimit, ContinuesToSameBits)
   {
     Stages stages(occlusion);
     const ImageRegion full = stages.RenderAll();
-    for (const int calls : { 3, 17 })
+    for (const int calls : occlusion ? std::vector<int>{ 17 } : std::vector<int>{ 3, 17 })
     {
       int parts = 0;
       const ImageRegion region = stages.RenderInParts(calls, parts);

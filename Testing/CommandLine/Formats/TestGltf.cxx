@@ -36,12 +36,19 @@ struct Wedge
   }
 };
 
+/// Arguments without files; the image of a file has its name.
+std::vector<std::string> Arguments(const Folder& folder)
+{
+  return { "render", "--output", folder / "{name}.png", "--resolution", "80,60",
+    "--camera-position", "0.5,0.5,4", "--camera-focal-point", "0.5,0.5,0" };
+}
+
 ProgramResult Render(const Folder& folder, const std::string& name, const Document& root)
 {
-  WriteText(folder / name + ".gltf", root.dump());
-  return RunProgram(
-    { "render", folder / name + ".gltf", "--output", folder / name + ".png", "--resolution",
-      "80,60", "--camera-position", "0.5,0.5,4", "--camera-focal-point", "0.5,0.5,0" });
+  std::vector<std::string> arguments = Arguments(folder);
+  arguments.push_back(folder / name + ".gltf");
+  WriteText(arguments.back(), root.dump());
+  return RunProgram(arguments);
 }
 
 void ExpectEqualImages(const Folder& folder, const std::string& a, const std::string& b)
@@ -59,19 +66,32 @@ TEST(Gltf, MissingTexturesCauseOneWarning)
   plain["meshes"][0]["primitives"][0]["material"] = 0;
   ASSERT_EQ(Render(folder, "plain", plain).Status, 0);
   WriteText(folder / "broken.png", "\x89PNG\r\n\x1a\nxxxx");
-  for (const char* uri : { "missing.png", "with space.png", "C:/me/a.png", "a\\b.png", "broken.png",
-         "https://example.org/a.png", "" })
+  const char* const uris[] = { "missing.png", "with space.png", "C:/me/a.png", "a\\b.png",
+    "broken.png", "https://example.org/a.png", "" };
+  std::vector<std::string> arguments = Arguments(folder);
+  for (std::size_t i = 0; i < std::size(uris); ++i)
   {
+    const char* const uri = uris[i];
     Document root = plain;
     root["images"] = Document::array({ *uri ? Document{ { "uri", uri } } : Document::object() });
     root["textures"] = Document::array({ { { "source", 0 } } });
     root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = { { "index", 0 } };
     root["materials"][0]["normalTexture"] = { { "index", 0 } };
-    const ProgramResult outcome = Render(folder, "textured", root);
-    EXPECT_EQ(outcome.Status, 0) << uri << outcome.Errors;
-    EXPECT_EQ(CountLines(outcome.Errors), 1) << uri << outcome.Errors;
-    EXPECT_NE(outcome.Errors.find("the texture "), std::string::npos) << outcome.Errors;
-    ExpectEqualImages(folder, "textured", "plain");
+    arguments.push_back(folder / std::to_string(i) + ".gltf");
+    WriteText(arguments.back(), root.dump());
+  }
+  const ProgramResult outcome = RunProgram(arguments);
+  EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
+  EXPECT_EQ(CountLines(outcome.Errors), static_cast<int>(std::size(uris))) << outcome.Errors;
+  for (std::size_t i = 0; i < std::size(uris); ++i)
+  {
+    const std::size_t file = outcome.Errors.find("/" + std::to_string(i) + ".gltf");
+    ASSERT_NE(file, std::string::npos) << uris[i] << outcome.Errors;
+    EXPECT_EQ(outcome.Errors.find("/" + std::to_string(i) + ".gltf", file + 1), std::string::npos)
+      << outcome.Errors;
+    const std::string line = outcome.Errors.substr(file, outcome.Errors.find('\n', file) - file);
+    EXPECT_NE(line.find("the texture "), std::string::npos) << line;
+    ExpectEqualImages(folder, std::to_string(i), "plain");
   }
 }
 

@@ -55,7 +55,8 @@ std::vector<Text> RenderTexts(const std::vector<std::string>& options)
 {
   const Folder folder("texts");
   std::vector<std::string> all = options;
-  all.emplace_back("-b");
+  all.insert(
+    all.end(), { "-b", "--camera-zoom-factor", "0.1" }); // The sphere takes most of the time.
   const ProgramResult outcome = Render(folder, "bar.svg", all);
   EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
   std::vector<Text> texts = FindTexts(ReadText(folder / "bar.svg"));

@@ -48,8 +48,9 @@ TEST(Streams, ReportUnknownFormatsAndFullDevices)
     const char* Said;
   } rows[] = { { "echo notes | $PENUMBRA render - --output -", 2, "format of standard input" },
     { "$PENUMBRA render - --output - < /dev/null", 2, "standard input is empty" },
-    { "$PENUMBRA render " + Quote(folder / "square.stl") + " --output - > /dev/full", 3,
-      "standard output cannot be written" } };
+    { "$PENUMBRA render " + Quote(folder / "square.stl") +
+        " --resolution 40,30 --output - > /dev/full",
+      3, "standard output cannot be written" } };
   for (const auto& row : rows)
   {
     const ProgramResult outcome = RunShell(row.Command);
