@@ -5,12 +5,14 @@
 // of spheres and tubes, against closed forms.
 #include "RasterizedFigure.h"
 #include "RoundScene.h"
+#include "vtkPenumbraIrradianceProvider.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkFieldData.h"
 #include "vtkLight.h"
 #include "vtkLineSource.h"
+#include "vtkObjectFactory.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -21,11 +23,38 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include <atomic>
 #include <cmath>
 
 namespace
 {
 using namespace penumbra_testing;
+
+/// Counts the points whose irradiance is computed.
+class CountedIrradiance : public vtkPenumbraIrradianceProvider
+{
+public:
+  static CountedIrradiance* New();
+  vtkTypeMacro(CountedIrradiance, vtkPenumbraIrradianceProvider);
+
+  bool Begin(const penumbra::RayScene&, const Occluders&, double, const Progress&) override
+  {
+    return true;
+  }
+  Estimate Occlusion(const double*, const double*, const double*) const override { return {}; }
+  bool BeginIrradiance(const penumbra::Illumination&, double, const Progress&) override
+  {
+    return true;
+  }
+  Light Irradiance(const double*, const double*, double, const double*) const override
+  {
+    ++this->Points;
+    return {};
+  }
+
+  mutable std::atomic<int> Points{ 0 };
+};
+vtkStandardNewMacro(CountedIrradiance);
 
 constexpr double Precision = 1.0 / 255.0;
 // Where triangles are as small as pixels, several share a pixel and its colors are blended in turn.
@@ -383,6 +412,16 @@ TEST_F(VectorFaces, AreReplacedByAnImageIfTheyCannotShowTheScene)
   this->Renderer->AddLight(light);
   this->Caster->ShadowsOn();
   this->ExpectImage("colors change inside triangles");
+
+  // Few samples show that shadows need an image, before light is computed at four points per pixel.
+  vtkNew<CountedIrradiance> provider;
+  this->Caster->SetIrradianceProvider(provider);
+  this->Caster->IndirectLightOn();
+  this->Caster->Update();
+  const int image = provider->Points;
+  EXPECT_FALSE(this->Exporter->Encode(vtkPenumbraVectorExporter::SVG).empty());
+  EXPECT_NE(this->Exporter->GetImageReason(), "");
+  EXPECT_LE(provider->Points, 2 * image + 300 * 220 / 4);
 }
 
 constexpr double PenWidth = 2.0; // pixels

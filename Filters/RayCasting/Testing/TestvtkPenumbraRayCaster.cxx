@@ -38,6 +38,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace
 {
@@ -301,6 +302,27 @@ TEST_F(RayCaster, ReportsExceptionsOfAnyThread)
   }
   this->Caster->SetIrradianceProvider(nullptr);
   EXPECT_TRUE(vtkPenumbraBruteForceIrradiance::SafeDownCast(this->Caster->GetIrradianceProvider()));
+}
+
+TEST_F(RayCaster, RendersAndReportsProgressOnTheCallingThread)
+{
+  const std::vector<float> image = this->Render();
+  std::set<std::thread::id> threads;
+  vtkNew<vtkCallbackCommand> progress;
+  progress->SetClientData(&threads);
+  progress->SetCallback([](vtkObject*, unsigned long, void* ids, void*) {
+    static_cast<std::set<std::thread::id>*>(ids)->insert(std::this_thread::get_id());
+  });
+  this->Caster->AddObserver(vtkCommand::ProgressEvent, progress);
+  this->Caster->AmbientOcclusionOn();
+  this->Render();
+  this->Caster->AmbientOcclusionOff();
+  EXPECT_EQ(threads, (std::set<std::thread::id>{ std::this_thread::get_id() }));
+  threads.clear();
+  std::thread other([&] { EXPECT_EQ(image, this->Render()); });
+  const std::thread::id id = other.get_id();
+  other.join();
+  EXPECT_EQ(threads, (std::set<std::thread::id>{ id }));
 }
 
 TEST_F(RayCaster, StopsOnAbort)

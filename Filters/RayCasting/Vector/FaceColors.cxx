@@ -17,6 +17,10 @@ namespace
 
 // Rows of pixels that are sampled before their samples are added, which bounds the memory.
 constexpr int BandHeight = 32;
+// Step of the samples of ExceedTolerance(): one of 16.
+constexpr int EstimateStep = 4;
+// Quotient of the RMSE of these samples and the tolerance above which all samples exceed it, too.
+constexpr double CertainExcess = 2.0;
 // Smallest determinant of the normalized covariance of samples that determine a gradient.
 constexpr double MinimumDeterminant = 1e-3;
 // Fewest samples that determine a gradient.
@@ -49,7 +53,7 @@ void FaceColor::Add(glm::dvec2 p, glm::dvec3 color)
   this->Squares += c * c;
 }
 
-void FaceColor::Fit(glm::dvec3& byX, glm::dvec3& byY) const
+bool FaceColor::Fit(glm::dvec3& byX, glm::dvec3& byY) const
 {
   byX = glm::dvec3(0.0);
   byY = glm::dvec3(0.0);
@@ -60,12 +64,33 @@ void FaceColor::Fit(glm::dvec3& byX, glm::dvec3& byY) const
   const double determinant = xx * yy - xy * xy;
   if (this->Count < MinimumSamples || !(determinant > MinimumDeterminant * xx * yy))
   {
-    return;
+    return false;
   }
   const glm::dvec3 cx = this->ColorsX - this->Sum.x / n * this->Colors;
   const glm::dvec3 cy = this->ColorsY - this->Sum.y / n * this->Colors;
   byX = (yy * cx - xy * cy) / determinant;
   byY = (xx * cy - xy * cx) / determinant;
+  return true;
+}
+
+double FaceColor::GetVariance() const
+{
+  const glm::dvec3 mean = this->Colors / static_cast<double>(this->Count);
+  return glm::dot(glm::max(this->Squares - this->Colors * mean, 0.0), glm::dvec3(1.0));
+}
+
+double FaceColor::GetResidual() const
+{
+  glm::dvec3 byX;
+  glm::dvec3 byY;
+  if (this->Count < MinimumSamples || !this->Fit(byX, byY))
+  {
+    return 0.0;
+  }
+  const glm::dvec2 mean = this->Sum / static_cast<double>(this->Count);
+  const glm::dvec3 cx = this->ColorsX - mean.x * this->Colors;
+  const glm::dvec3 cy = this->ColorsY - mean.y * this->Colors;
+  return std::max(this->GetVariance() - glm::dot(byX, cx) - glm::dot(byY, cy), 0.0);
 }
 
 double FaceColor::Paint(FigurePath& path) const
@@ -73,8 +98,7 @@ double FaceColor::Paint(FigurePath& path) const
   const double n = this->Count;
   const glm::dvec3 mean = this->Colors / n;
   const glm::dvec2 center = this->Origin + this->Sum / n;
-  const double variance =
-    glm::dot(glm::max(this->Squares - this->Colors * mean, 0.0), glm::dvec3(1.0));
+  const double variance = this->GetVariance();
   path.Color = glm::vec4(mean, 1.f);
   path.HasGradient = false;
   glm::dvec3 byX;
@@ -116,7 +140,7 @@ double FaceColor::Paint(FigurePath& path) const
   return std::max(variance - 2.0 * glm::dot(slope, cs) + ss * glm::dot(slope, slope), 0.0);
 }
 
-std::vector<FaceColor> SampleFaceColors(const CameraRayTracer& tracer)
+std::vector<FaceColor> SampleFaceColors(const CameraRayTracer& tracer, int step)
 {
   const Scene& scene = tracer.GetScene();
   std::vector<std::size_t> first(1, 0);
@@ -126,10 +150,11 @@ std::vector<FaceColor> SampleFaceColors(const CameraRayTracer& tracer)
   }
   std::vector<FaceColor> colors(first.back());
   const int side = FaceSamplesPerPixelSide;
-  const int width = scene.ViewCamera.Width * side;
-  const int height = scene.ViewCamera.Height * side;
-  const auto at = [](int x, int y) {
-    return glm::dvec2(x + 0.5, y + 0.5) / static_cast<double>(FaceSamplesPerPixelSide);
+  const int width = (scene.ViewCamera.Width * side + step - 1) / step;
+  const int height = (scene.ViewCamera.Height * side + step - 1) / step;
+  const auto at = [step](int x, int y) {
+    return glm::dvec2(x * step + 0.5, y * step + 0.5) /
+      static_cast<double>(FaceSamplesPerPixelSide);
   };
   std::vector<PointSample> band(static_cast<std::size_t>(width) * BandHeight);
   for (int begin = 0; begin < height; begin += BandHeight)
@@ -173,6 +198,19 @@ std::vector<FaceColor> SampleFaceColors(const CameraRayTracer& tracer)
     }
   }
   return colors;
+}
+
+bool ExceedTolerance(const CameraRayTracer& tracer, double tolerance)
+{
+  double squaredError = 0.0;
+  for (const FaceColor& color : SampleFaceColors(tracer, EstimateStep))
+  {
+    squaredError += color.GetResidual();
+  }
+  const Camera& camera = tracer.GetScene().ViewCamera;
+  const double samplesPerSide = static_cast<double>(FaceSamplesPerPixelSide) / EstimateStep;
+  const double samples = samplesPerSide * samplesPerSide * camera.Width * camera.Height;
+  return std::sqrt(squaredError / (3.0 * samples)) > CertainExcess * tolerance;
 }
 
 }

@@ -32,6 +32,9 @@ constexpr double Margin = 4.0;
 // Most triangles of the scene per path, of which most are hidden.
 constexpr std::size_t MaximumTrianglesPerPath = 4;
 
+constexpr char ColorReason[] =
+  "colors change inside triangles by more than the tolerance, as in shadows and textures";
+
 constexpr std::uint32_t None = std::numeric_limits<std::uint32_t>::max();
 
 /// A triangle of the scene.
@@ -88,6 +91,10 @@ public:
 
   std::string Build(std::size_t maximum, double tolerance, std::vector<FigurePath>& paths)
   {
+    if (ExceedTolerance(this->Tracer, tolerance))
+    {
+      return ColorReason;
+    }
     this->Colors = SampleFaceColors(this->Tracer);
     this->FindFaces();
     if (this->Polygons.size() > maximum)
@@ -114,8 +121,7 @@ public:
       this->ViewCamera.Width * this->ViewCamera.Height;
     if (std::sqrt(squaredError / (3.0 * samples)) > tolerance)
     {
-      return "colors change inside triangles by more than the tolerance, as in shadows and "
-             "textures";
+      return ColorReason;
     }
     paths.insert(paths.end(), faces.begin(), faces.end());
     return {};
