@@ -25,10 +25,7 @@ namespace penumbra
   std::cerr.flush();
   std::fflush(nullptr);
 #ifdef __SANITIZE_ADDRESS__
-  if (status == 0)
-  {
-    __lsan_do_leak_check(); // Ends the process with another status if there is a leak.
-  }
+  __lsan_do_leak_check(); // Ends the process with another status if there is a leak.
 #endif
   std::_Exit(status);
 }
