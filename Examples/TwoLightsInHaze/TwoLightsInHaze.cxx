@@ -67,6 +67,7 @@ int main(int argc, char* argv[])
   }
   renderer->GetActiveCamera()->SetPosition(0.0, 2.5, 11.0);
   renderer->GetActiveCamera()->SetFocalPoint(0.0, 2.0, 0.0);
+  renderer->GetActiveCamera()->SetViewAngle(33.0);
   if (argc > 2)
   {
     renderer->GetActiveCamera()->SetPosition(0.0, 8.0, 11.0);
@@ -83,7 +84,7 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
-  window->SetSize(480, 320);
+  window->SetSize(960, 640);
   window->AddRenderer(renderer);
   window->Render();
 
