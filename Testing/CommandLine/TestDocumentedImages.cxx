@@ -113,7 +113,8 @@ class DocumentedImages : public testing::TestWithParam<Command>
 {
 };
 
-// At half the size, which takes a quarter of the time. Lines and text of some pixels differ then; the whole image decides.
+// At half the size, which takes a quarter of the time. Lines and text of some pixels differ then, and the whole image
+// decides.
 TEST_P(DocumentedImages, AreMadeByTheirCommands)
 {
   const Command& command = GetParam();
