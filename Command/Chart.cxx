@@ -42,7 +42,7 @@ Action DeclareChart(const CommandLine& program)
   return []() -> int {
     throw CommandError(Unavailable,
       "chart: the program penumbra-chart is neither next to penumbra nor in PATH; it is built with "
-      "the tests (BUILD_TESTING=ON)");
+      "the benchmarks (BUILD_TESTING=ON, PENUMBRA_BUILD_BENCHMARKS=ON)");
   };
 }
 

@@ -21,6 +21,8 @@ constexpr int BandHeight = 32;
 constexpr int EstimateStep = 4;
 // Quotient of the RMSE of these samples and the tolerance above which all samples exceed it, too.
 constexpr double CertainExcess = 2.0;
+// Fewest samples of which no single one decides, at a tolerance of 1/256.
+constexpr double FewestSamples = 16384.0;
 // Smallest determinant of the normalized covariance of samples that determine a gradient.
 constexpr double MinimumDeterminant = 1e-3;
 // Fewest samples that determine a gradient.
@@ -202,14 +204,18 @@ std::vector<FaceColor> SampleFaceColors(const CameraRayTracer& tracer, int step)
 
 bool ExceedTolerance(const CameraRayTracer& tracer, double tolerance)
 {
+  const Camera& camera = tracer.GetScene().ViewCamera;
+  const double samplesPerSide = static_cast<double>(FaceSamplesPerPixelSide) / EstimateStep;
+  const double samples = samplesPerSide * samplesPerSide * camera.Width * camera.Height;
+  if (samples < FewestSamples)
+  {
+    return false;
+  }
   double squaredError = 0.0;
   for (const FaceColor& color : SampleFaceColors(tracer, EstimateStep))
   {
     squaredError += color.GetResidual();
   }
-  const Camera& camera = tracer.GetScene().ViewCamera;
-  const double samplesPerSide = static_cast<double>(FaceSamplesPerPixelSide) / EstimateStep;
-  const double samples = samplesPerSide * samplesPerSide * camera.Width * camera.Height;
   return std::sqrt(squaredError / (3.0 * samples)) > CertainExcess * tolerance;
 }
 
