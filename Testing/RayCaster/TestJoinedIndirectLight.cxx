@@ -352,5 +352,8 @@ TEST_F(JoinedIndirectLight, HasNoSpecksWhereShadowsBegin)
     this->Caster->SetTimeLimit(1e-9);
     const std::vector<float> coarse = this->Render();
     EXPECT_LE(*std::max_element(coarse.begin(), coarse.end()), 1.8f) << angle;
+    const double error = ComputeRmse(coarse, image);
+    EXPECT_GT(this->Caster->GetEstimatedError(), error) << angle;
+    EXPECT_LT(this->Caster->GetEstimatedError(), 4.0 * error) << angle;
   }
 }

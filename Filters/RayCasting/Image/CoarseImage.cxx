@@ -167,6 +167,7 @@ void CoarseImage::FindDeviations()
 {
   double sum = 0.0;
   double factorSum = 0.0;
+  double changeSum = 0.0;
   for (std::size_t i = 0; i < this->Nodes.size(); ++i)
   {
     const glm::ivec2 at(static_cast<int>(i) % this->Count.x, static_cast<int>(i) / this->Count.x);
@@ -189,24 +190,36 @@ void CoarseImage::FindDeviations()
       Square<float>(MaximumComponent(glm::vec4(glm::abs(node.Factor - factor / count), 0.f)));
     sum += node.Deviation;
     factorSum += node.FactorDeviation;
+    changeSum += MaximumComponent(glm::vec4(node.LargestChange, 0.f));
   }
+  this->MeanLargestChange = static_cast<float>(changeSum / static_cast<double>(this->Nodes.size()));
   this->MeanDeviation = static_cast<float>(sum / static_cast<double>(this->Nodes.size()));
   this->MeanFactorDeviation =
     static_cast<float>(factorSum / static_cast<double>(this->Nodes.size()));
 }
 
-glm::vec3 CoarseImage::Value::FindFactor(const glm::vec4& color) const
+// A limited change is added, so that the error of the color is not multiplied by the factor, which may be large in
+// shadows. Its own error is limited, too.
+LightField::Change CoarseImage::Value::FindChange(const glm::vec4& color, float error) const
 {
-  glm::vec3 factor = this->Factor;
+  const float limit = MaximumComponent(glm::vec4(this->LargestChange, 0.f));
+  if (limit == std::numeric_limits<float>::infinity())
+  {
+    return { this->Factor, glm::vec3(0.f), this->FactorError };
+  }
+  LightField::Change result;
+  float cut = 0.f;
+  float slope = 0.f;
   for (int c = 0; c < 3; ++c)
   {
-    const float change = (factor[c] - 1.f) * color[c];
-    if (std::abs(change) > this->LargestChange[c])
-    {
-      factor[c] = 1.f + std::copysign(this->LargestChange[c], change) / color[c];
-    }
+    const float change = (this->Factor[c] - 1.f) * color[c];
+    result.Offset[c] = glm::clamp(change, -this->LargestChange[c], this->LargestChange[c]);
+    cut = std::max(cut, std::abs(change - result.Offset[c]));
+    slope = std::max(slope, std::abs(this->Factor[c] - 1.f));
   }
-  return factor;
+  result.Error = std::min(
+    std::hypot(this->FactorError, cut, slope * error), std::max(limit, this->MeanLargestChange));
+  return result;
 }
 
 CoarseImage::Value CoarseImage::At(int x, int y) const
@@ -217,6 +230,7 @@ CoarseImage::Value CoarseImage::At(int x, int y) const
   const glm::vec2 u = (glm::vec2(x, y) + 0.5f - low) / (high - low);
   Value value;
   value.Factor = glm::vec3(0.f);
+  value.MeanLargestChange = this->MeanLargestChange;
   glm::vec4 least(1e30f);
   glm::vec4 most(-1e30f);
   float deviation = 0.f;

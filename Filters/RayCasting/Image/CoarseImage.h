@@ -7,6 +7,7 @@
 #define penumbra_CoarseImage_h
 
 #include "Execution/ParallelFor.h"
+#include "Light/LightField.h"
 #include "Light/LightRays.h"
 #include "Sampling/CameraRayTracer.h"
 
@@ -32,9 +33,10 @@ public:
     float FactorError = 0.f;        ///< estimated error of the color that it causes
     float Occlusion = 0.f;          ///< mean of the surfaces
     glm::vec3 LargestChange{ 0.f }; ///< of a color by the light
+    float MeanLargestChange = 0.f;  ///< over all rays, of the largest channel
 
-    /// Returns the factor for the final color of a pixel, premultiplied by alpha.
-    glm::vec3 FindFactor(const glm::vec4& color) const;
+    /// Returns the change of the final color of a pixel, premultiplied by alpha, with the estimated error `error`.
+    LightField::Change FindChange(const glm::vec4& color, float error) const;
   };
   Value At(int x, int y) const;
 
@@ -64,6 +66,7 @@ private:
   std::vector<Node> Nodes;
   float MeanDeviation = 0.f;
   float MeanFactorDeviation = 0.f;
+  float MeanLargestChange = 0.f;
 };
 
 }

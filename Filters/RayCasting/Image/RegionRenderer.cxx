@@ -307,8 +307,7 @@ void RegionRenderer::Complete(ImageRegion& region) const
       else
       {
         const CoarseImage::Value value = this->Coarse->At(x, y);
-        const glm::vec3 factor = value.FindFactor(region.Colors[index]);
-        Apply({ factor, glm::vec3(0.f), value.FactorError }, index, region);
+        Apply(value.FindChange(region.Colors[index], region.Errors[index]), index, region);
       }
       if (!region.Occlusions.empty())
       {
