@@ -339,10 +339,7 @@ class TestRender:
         points, faces, _ = floor_and_sphere(12, 30)
         plain = penumbra.render((points, faces), window_size=(80, 60), as_float=True)
         dark = penumbra.render((points, faces), window_size=(80, 60), as_float=True, ambient_occlusion=True, radius=2.0)
-        # Tiles of small or sparse surfaces are sampled, edges included, to the tolerance of light.
-        brighter = np.maximum(dark - plain, 0)
-        assert np.sqrt(np.square(brighter).mean()) < 0.002
-        assert brighter.max() < 1 / 32
+        assert (dark <= plain + 1 / 128).all()
         assert (plain - dark).max() > 0.2
 
     def test_draws_points_as_spheres(self):

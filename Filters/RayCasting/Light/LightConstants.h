@@ -56,6 +56,11 @@ constexpr float ScatteredFraction = 0.6f;
 constexpr int FewestPairs = 8;
 constexpr float CertainDeviation = 2.f;
 constexpr int FewestPairsOfAll = 4;
+/// A tile with fewer of all pairs with a surface than this is not scattered if the mean number of hits of a site is at
+/// least HitsOfLargeSite: these pairs differ because they meet the edges of a surface that reaches into the tile, which
+/// are exact. A hit stands for two pixels.
+constexpr int PairsOfSparseTile = 16;
+constexpr std::size_t HitsOfLargeSite = 4;
 /// Number of rays from each hit of a camera ray.
 constexpr std::uint32_t RaysOfLitSample = 2;
 

@@ -21,25 +21,27 @@ constexpr int PacketSize = CameraRayTracer::PacketSize;
 constexpr std::uint32_t DirectionSeed = 0x68bc21ebu;
 constexpr std::uint32_t LightSeed = 0x02e5be93u;
 
-/// Returns true if the hits of two camera rays belong to one site, or show the background.
-bool ShowOneSite(const std::vector<LitLayer>& a, const std::vector<LitLayer>& b, const Scene& scene)
+/// Returns true if the hits of two camera rays belong to one site.
+bool IsSameSite(const LitLayer& a, const LitLayer& b, const Scene& scene)
 {
-  if (a.empty() || b.empty())
-  {
-    return a.empty() && b.empty();
-  }
-  const Surface& surface = scene.Surfaces[a[0].Where.Surface];
-  if (surface.IsRound() && surface.Segments.empty() && a[0].Where.Surface == b[0].Where.Surface &&
-    a[0].Where.Primitive != b[0].Where.Primitive)
+  const Surface& surface = scene.Surfaces[a.Where.Surface];
+  if (surface.IsRound() && surface.Segments.empty() && a.Where.Surface == b.Where.Surface &&
+    a.Where.Primitive != b.Where.Primitive)
   {
     return false; // two spheres
   }
   const Camera& camera = scene.ViewCamera;
-  const double depth = a[0].Where.Distance + camera.DepthOfRayOrigins();
+  const double depth = a.Where.Distance + camera.DepthOfRayOrigins();
   const auto footprint = static_cast<float>(camera.PixelSize * (camera.Parallel ? 1.0 : depth));
-  return glm::dot(a[0].Normal, b[0].Normal) >= SameSiteCosine &&
-    IsNearPlane(b[0].Position - a[0].Position, glm::normalize(a[0].Normal + b[0].Normal),
+  return glm::dot(a.Normal, b.Normal) >= SameSiteCosine &&
+    IsNearPlane(b.Position - a.Position, glm::normalize(a.Normal + b.Normal),
       SameSiteHeight * footprint, SameSiteSlope);
+}
+
+/// Returns true if two camera rays show one site, or the background.
+bool ShowOneSite(const std::vector<LitLayer>& a, const std::vector<LitLayer>& b, const Scene& scene)
+{
+  return a.empty() || b.empty() ? a.empty() && b.empty() : IsSameSite(a[0], b[0], scene);
 }
 
 /// Pairs of camera rays, and the numbers of those that hit a surface and that hit different sites.
@@ -78,6 +80,21 @@ public:
     return std::abs(this->GetFraction() - fraction) < CertainDeviation * error;
   }
 
+  /// Returns true if sites are so small that few rays hit the same one.
+  bool HasSmallSites() const
+  {
+    std::vector<const LitLayer*> sites;
+    for (const LitLayer& hit : this->Hits)
+    {
+      if (std::none_of(sites.begin(), sites.end(),
+            [&](const LitLayer* site) { return IsSameSite(*site, hit, this->Tracer.GetScene()); }))
+      {
+        sites.push_back(&hit);
+      }
+    }
+    return this->Hits.size() < HitsOfLargeSite * sites.size();
+  }
+
   int Surfaces = 0;
 
 private:
@@ -111,6 +128,10 @@ private:
       const std::vector<LitLayer>& b = this->Layers[i + 1];
       this->Surfaces += a.empty() && b.empty() ? 0 : 1;
       this->Different += ShowOneSite(a, b, this->Tracer.GetScene()) ? 0 : 1;
+      this->Hits.insert(
+        this->Hits.end(), a.begin(), a.begin() + std::min<std::size_t>(a.size(), 1));
+      this->Hits.insert(
+        this->Hits.end(), b.begin(), b.begin() + std::min<std::size_t>(b.size(), 1));
     }
     this->Count = 0;
   }
@@ -118,6 +139,7 @@ private:
   const CameraRayTracer& Tracer;
   RayCounts& Counts;
   int Different = 0;
+  std::vector<LitLayer> Hits;
   glm::dvec2 Points[PacketSize] = {};
   Sample Samples[PacketSize];
   std::vector<LitLayer> Layers[PacketSize];
@@ -140,7 +162,8 @@ bool IsScattered(const CameraRayTracer& tracer, glm::ivec2 low, glm::ivec2 high,
   {
     pairs.Trace(low + offset, high, ProbedPixelStep);
   }
-  return pairs.Surfaces >= FewestPairsOfAll && pairs.GetFraction() > ScatteredFraction;
+  return pairs.Surfaces >= FewestPairsOfAll && pairs.GetFraction() > ScatteredFraction &&
+    (pairs.Surfaces >= PairsOfSparseTile || pairs.HasSmallSites());
 }
 
 template <int N>

@@ -428,6 +428,36 @@ TEST(ScatteredTiles, HaveReliableEstimatesOfOcclusionOnSpheresOfOnePixel)
   }
 }
 
+// Nothing occludes the triangles, so that occlusion changes no pixel.
+TEST(ScatteredTiles, DoNotIncludeTheCornersOfSurfaces)
+{
+  constexpr int Side = 128;
+  std::vector<Shape> triangles;
+  for (int i = 0; i < 16; ++i)
+  {
+    const glm::dvec2 center(16.0 + 32.0 * (i % 4), 16.0 + 32.0 * (i / 4));
+    const double angle = 0.4 * i;
+    const glm::dmat2 turn(std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle));
+    const glm::dvec2 outline[3] = { { 8.0 + 0.3 * i, 0.0 }, { -14.0, 5.0 }, { -14.0, -5.0 } };
+    triangles.push_back({ center, {} });
+    for (const glm::dvec2& corner : outline)
+    {
+      triangles.back().Outline.push_back(center + turn * corner);
+    }
+  }
+  const vtkSmartPointer<vtkRenderer> renderer = RendererOf(triangles, Side, Side);
+  const auto cast = [&](bool occlusion) {
+    return Cast(renderer, Side, Side,
+      [&](vtkPenumbraRayCaster* caster) { caster->SetAmbientOcclusion(occlusion); });
+  };
+  const Answer plain = cast(false);
+  const Answer lit = cast(true);
+  for (int i = 0; i < Side * Side; ++i)
+  {
+    EXPECT_NEAR(lit.Colors[i].x, plain.Colors[i].x, 1e-5) << i % Side << ", " << i / Side;
+  }
+}
+
 TEST(StratifiedReference, BlendsEdgesAndTheirFacesAsOneLayer)
 {
   vtkNew<vtkPlaneSource> plane;
