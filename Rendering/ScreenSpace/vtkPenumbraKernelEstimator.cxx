@@ -98,6 +98,7 @@ struct vtkPenumbraKernelEstimator::Internals
   {
     penumbra::GradualThickness Thickness;
     long long Version = -1;                        ///< of the depths of the last request
+    bool IsExact = false;                          ///< these depths were measured
     int Frames = 0;                                ///< since the measurement
     vtkSmartPointer<vtkPixelBufferObject> Pending; ///< depths on their way from the graphics card
     penumbra::ScreenTransform PendingView;
@@ -148,15 +149,17 @@ double vtkPenumbraKernelEstimator::ComputeThickness(const Request& request)
   }
   const penumbra::EyeDepth& depth = *request.Depth;
   Internals::Measurement& state = this->Implementation->Thicknesses[&depth];
-  if (state.Version == depth.GetVersion())
+  // The limit of a static view does not depend on the motion before it.
+  if (state.Version == depth.GetVersion() && (state.IsExact || request.Moving))
   {
     return state.Thickness.Get();
   }
   const bool isNew = state.Version < 0;
   state.Version = depth.GetVersion();
+  state.IsExact = isNew || !request.Moving;
   ++state.Frames;
   state.Thickness.Advance();
-  if (isNew || !request.Moving)
+  if (state.IsExact)
   {
     state.Thickness.Set(
       Internals::ThicknessOf(penumbra::ReadBack(depth.GetCurrent()), depth.GetView()));

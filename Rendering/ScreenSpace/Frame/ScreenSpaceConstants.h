@@ -25,9 +25,11 @@ constexpr double RigidTolerance = 1e-9;
 constexpr double ClippingRangeRatio = 32.0;
 
 /// A view is a cut if less than this fraction of a grid of points was visible before, from a
-/// direction that differs by less than the angle of this cosine, 30 degrees.
+/// direction that differs by less than the angle of one of these cosines: 3 degrees for kernels, which find
+/// other occluders from another direction, and 30 degrees for rays. Measured by OcclusionInMotion.
 constexpr double MinimumUncutFraction = 0.25;
-constexpr double MinimumUncutCosine = 0.866;
+constexpr double MinimumUncutCosine = 0.9986;
+constexpr double MinimumUncutCosineOfRays = 0.866;
 constexpr int CutGridSide = 5;
 
 // --- Thickness of occluders (`./penumbra benchmark ambient-occlusion --only accuracy`) ---

@@ -293,7 +293,8 @@ Matrix ScreenTransform::EyeTransformTo(const ScreenTransform& other, const doubl
   return product;
 }
 
-bool ScreenTransform::IsCutFrom(const ScreenTransform& other, double distance) const
+bool ScreenTransform::IsCutFrom(
+  const ScreenTransform& other, double distance, double minimumCosine) const
 {
   const Matrix transform = this->EyeTransformTo(other);
   const double depth = distance / this->Unit;
@@ -329,7 +330,7 @@ bool ScreenTransform::IsCutFrom(const ScreenTransform& other, double distance) c
     const double x =
       (there[0] / perspective * unitOf(other) - other.Offset[0] - other.Skew * y) / other.Scale[0];
     seen += perspective > 0.0 && x > 0.0 && y > 0.0 && x < other.Width && y < other.Height &&
-      cosine > MinimumUncutCosine;
+      cosine > minimumCosine;
   }
   return seen < MinimumUncutFraction * CutGridSide * CutGridSide;
 }

@@ -70,7 +70,7 @@ struct VTKPENUMBRARENDERINGSCREENSPACE_EXPORT ScreenTransform
 
   /// Returns whether few points at `distance` (eye depth, world units) are seen in `other` from a
   /// similar direction, so that the two views are not consecutive frames of a motion.
-  bool IsCutFrom(const ScreenTransform& other, double distance) const;
+  bool IsCutFrom(const ScreenTransform& other, double distance, double minimumCosine) const;
 
   /// Returns whether size, projection and camera position are equal; clipping planes may differ.
   bool HasSameView(const ScreenTransform& other) const;

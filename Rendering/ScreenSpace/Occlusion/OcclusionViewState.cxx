@@ -111,7 +111,8 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
     return false;
   }
   if (change == EyeDepth::Change::Moved && settings.Constants.DepthTolerance < 1.0 &&
-    view.IsCutFrom(this->Depth.GetPreviousView(), this->Renderer->GetActiveCamera()->GetDistance()))
+    view.IsCutFrom(this->Depth.GetPreviousView(), this->Renderer->GetActiveCamera()->GetDistance(),
+      estimator->NeedsMargin() ? MinimumUncutCosine : MinimumUncutCosineOfRays))
   {
     // A kernel finds other occluders from the new viewpoint, so a short new history is more accurate.
     change = EyeDepth::Change::Reset;
@@ -344,6 +345,7 @@ int OcclusionViewState::AccumulateSamples(
   temporal.SettledHistory =
     std::max(constants.AdaptiveConvergence, constants.SpatialConvergence) * constants.MaximumWeight;
   temporal.DepthTolerance = constants.DepthTolerance;
+  temporal.ImageOnly = this->Estimator->NeedsMargin();
   temporal.NeighborValidation = this->Settings.SceneChanged;
   temporal.InvalidationWeight = constants.InvalidationWeight;
   temporal.PropsChanged = this->Settings.PropsChanged;

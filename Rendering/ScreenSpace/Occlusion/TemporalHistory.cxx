@@ -63,6 +63,7 @@ void SetMotion(
   program->SetUniformf("growingHistoryWeight", static_cast<float>(settings.GrowingHistory));
   program->SetUniformf("settledHistoryWeight", static_cast<float>(settings.SettledHistory));
   program->SetUniformf("depthTolerance", static_cast<float>(settings.DepthTolerance));
+  program->SetUniformf("imageOnly", settings.ImageOnly ? 1.f : 0.f);
   if (settings.NeighborValidation)
   {
     program->SetUniformf("propsChanged", settings.PropsChanged ? 1.f : 0.f);

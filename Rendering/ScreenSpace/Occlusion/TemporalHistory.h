@@ -23,6 +23,7 @@ struct TemporalSettings
   double GrowingHistory = 0.0;      ///< weight below which pixels get Request::ShortHistorySamples
   double SettledHistory = 1e9;      ///< weight from which on pixels get samples in their turn only
   double DepthTolerance = 0.02;     ///< maximum relative difference from the expected depth
+  bool ImageOnly = true;            ///< estimates do not know occluders outside of the image
   bool NeighborValidation = false;  ///< something besides the camera may have moved
   double InvalidationWeight = 30.0; ///< maximum number of samples kept if a neighbor moved
   bool PropsChanged = false; ///< props were added or removed: samples next to them are discarded

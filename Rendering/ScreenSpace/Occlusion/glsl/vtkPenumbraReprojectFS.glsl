@@ -22,10 +22,14 @@ uniform float settledHistoryWeight; // weight from which on a history is settled
 uniform float maximumWeight;       // upper bound of the weight of all samples
 uniform float weightCap;           // upper bound of the weight of the history in this frame
 uniform float depthTolerance;      // maximum relative difference in depth, eq. 8
+uniform float imageOnly;           // 1: occluders outside of the image are unknown; 0: they are known
 
 // Maximum distance of a history texel from the tangent plane, in radii: occlusion differs farther
 // away. Found with `./penumbra benchmark ambient-occlusion --only noise`.
 const float maximumPlaneDistance = 0.08;
+
+// Distance from the edge of the image, in radii, that counts as none.
+const float minimumEdgeDistance = 0.01;
 
 // Weight of a sample taken from a neighboring pixel: negligible if the pixel has other samples.
 const float neighborSampleWeight = 0.01;
@@ -122,6 +126,26 @@ float historyTexelsPerPixel(SurfacePoint point, vec3 before, vec3 areaBefore)
     max(coveredPixels(point.position, point.normal), 1e-9);
 }
 
+// Returns the distance of a point from the edge of an image, in radii, at most 1: occluders that are farther
+// away have no effect. `pixelWidth`: at depth 1.
+float edgeDistance(vec2 pixel, vec2 sizeOfPixel, vec2 pixelWidth, float depth)
+{
+  vec2 at = pixel * sizeOfPixel;
+  vec2 inside = min(at, 1.0 - at) * abs(pixelWidth / sizeOfPixel) * mix(1.0, depth, perspective);
+  return clamp(min(inside.x, inside.y), minimumEdgeDistance, 1.0);
+}
+
+// Returns the part of the history of a point that counts. It did not see the occluders outside of the previous
+// image, so it loses weight as the point moves away from the edge, by the ratio of the distances. In a
+// slow motion, samples lose the same weight in total, but new ones replace them.
+float historyInsideImage(SurfacePoint point, vec3 before)
+{
+  float last = edgeDistance(
+    previousPixel(before), previousPixelSize, previousPixelToEye.xy, -before.z);
+  float now = edgeDistance(point.pixel, pixelSize, pixelToEye.xy, -point.position.z);
+  return mix(1.0, min(last / now, 1.0), imageOnly);
+}
+
 //VTK::Penumbra::ActorMotionLib
 //VTK::Penumbra::SampleValidationLib
 
@@ -135,6 +159,7 @@ void main()
   float weight = min(reprojected.g, weightCap);
   // Pixels share the samples of a texel that covers several of them.
   weight *= clamp(historyTexelsPerPixel(point, before, areaBefore), 0.0, 1.0);
+  weight *= historyInsideImage(point, before);
   weight = min(weight, historyWeightLimit(point, before));
   // Samples are spent where history is short: at disoccluded pixels and next to moved surfaces.
   int historyLength = weight < settledHistoryWeight ? growingHistory : settledHistory;
