@@ -122,6 +122,34 @@ TEST(VisibleFraction, OfCombHasBoundedError)
   EXPECT_LE(result.MostRays, 1100);
 }
 
+TEST(VisibleFraction, MissesSomeWiresNarrowerThanAQuarterOfTheLight)
+{
+  constexpr int Points = 2000;
+  // Widths relative to the diameter of the light, and fractions of points with a wrong value and estimate.
+  const double rows[][2] = { { 0.5, 0.02 }, { 0.25, 0.03 }, { 0.125, 0.17 }, { 0.0625, 0.5 } };
+  for (const auto& [width, bound] : rows)
+  {
+    int wrong = 0;
+    for (int i = 0; i < Points; ++i)
+    {
+      std::uint32_t random = MixBits(static_cast<std::uint32_t>(i) + 1u);
+      const float angle = static_cast<float>(2.0 * Pi) * NextFloat(random);
+      const glm::vec2 normal(std::cos(angle), std::sin(angle));
+      const double begin = 2.0 * NextFloat(random) - 1.0 - width;
+      const double end = begin + 2.0 * width;
+      const double exact = 1.0 - DiskBeyondLine(begin) + DiskBeyondLine(end);
+      const VisibleFraction found = EstimateVisibleFraction(
+        [&](glm::vec2 at) {
+          const float across = glm::dot(at, normal);
+          return across > begin && across < end ? 0.f : 1.f;
+        },
+        random, 0.01f);
+      wrong += std::abs(found.Value - exact) > std::max(0.02, 4.0 * found.Error) ? 1 : 0;
+    }
+    EXPECT_LE(wrong, bound * Points) << width;
+  }
+}
+
 namespace
 {
 

@@ -356,6 +356,104 @@ TEST(SampledLight, FindsAnEmitterOfOneTenThousandthOfTheWalls)
   }
 }
 
+namespace
+{
+
+/// Lights points on a floor below edges of half-planes at height 1, under a panel or a sphere at height 2 with an
+/// extent of `Size`. Returns how many of 2,000 points are partly shadowed, and how many are off by more than twice the
+/// tolerance and four times the estimate.
+std::array<int, 2> CountShadowEdges(bool isSphere)
+{
+  constexpr float Size = .2f;
+  constexpr int Edges = 40;
+  constexpr int Points = 50;
+  constexpr int Side = 64;
+  int penumbra = 0;
+  int wrong = 0;
+  for (int edge = 0; edge < Edges; ++edge)
+  {
+    const float angle = 2.f * static_cast<float>(Pi) * (edge + .3f) / Edges;
+    const glm::vec3 across(std::cos(angle), std::sin(angle), 0.f);
+    const glm::vec3 along(-across.y, across.x, 0.f);
+    const glm::vec3 center(.3f, -.2f, 2.f);
+    Scene scene;
+    AddRectangle(scene, Up - 50.f * along, 100.f * along, -50.f * across);
+    MakeBlack(scene);
+    if (isSphere)
+    {
+      Surface sphere;
+      sphere.Positions = { center };
+      sphere.Radii = { .5f * Size };
+      scene.Surfaces.push_back(sphere);
+    }
+    else
+    {
+      AddRectangle(scene, center - glm::vec3(.5f * Size, .5f * Size, 0.f), { Size, 0.f, 0.f },
+        { 0.f, Size, 0.f });
+    }
+    MakeEmitter(scene, glm::vec3(1e4f));
+    const RayScene rays(scene, 1);
+    const Illumination light(rays, {});
+    for (int i = 0; i < Points; ++i)
+    {
+      const glm::vec3 point = 1.4f * Size * (static_cast<float>(i) / Points - .5f) * across -
+        glm::vec3(center.x, center.y, 0.f);
+      double exact = 0.0;
+      double unshadowed = 0.0;
+      for (int k = 0; k < Side * Side; ++k)
+      {
+        const glm::vec2 u = (glm::vec2(k % Side, k / Side) + .5f) / static_cast<float>(Side);
+        glm::vec3 direction = center + Size * glm::vec3(u - .5f, 0.f) - point;
+        double value = 1.0;
+        if (isSphere)
+        {
+          const glm::vec3 to = center - point;
+          const float sine = .5f * Size / glm::length(to);
+          const float below = u.x * (1.f - std::sqrt(1.f - sine * sine));
+          const float side = std::sqrt(below * (2.f - below));
+          const float turn = 2.f * static_cast<float>(Pi) * u.y;
+          direction = FrameFromNormal(glm::normalize(to)) *
+            glm::vec3(side * std::cos(turn), side * std::sin(turn), 1.f - below);
+          value = direction.z;
+        }
+        else
+        {
+          const double square = glm::dot(direction, direction);
+          value = direction.z * direction.z / (square * square);
+        }
+        unshadowed += value;
+        exact += glm::dot(point + direction / direction.z, across) > 0.f ? value : 0.0;
+      }
+      penumbra += exact > 0.0 && exact < unshadowed ? 1 : 0;
+      long long count = 0;
+      const double solid = isSphere ? 2.0 * Pi *
+          (1.0 - std::sqrt(1.0 - .25 * Size * Size / glm::dot(center - point, center - point)))
+                                    : Size * Size;
+      const double scale = 1e4 / Pi * solid / (Side * Side);
+      const double tolerance = .01 * unshadowed * scale;
+      const Illumination::SampledLight found =
+        light.EstimateSampledLight(point, Up, tolerance, count);
+      wrong += std::abs(found.Mean.x - exact * scale) > std::max(2.0 * tolerance, 4.0 * found.Error)
+        ? 1
+        : 0;
+    }
+  }
+  return { penumbra, wrong };
+}
+
+}
+
+// The first 8 rays may agree by chance.
+TEST(SampledLight, IsWrongAtSomeShadowEdgesOfSmallEmitters)
+{
+  for (const bool isSphere : { false, true })
+  {
+    const auto [penumbra, wrong] = CountShadowEdges(isSphere);
+    EXPECT_GT(penumbra, 1400);
+    EXPECT_LE(wrong, (isSphere ? .26 : .2) * penumbra);
+  }
+}
+
 TEST(EmissiveSurfaces, StoreOnlyEmittersThatAreUsed)
 {
   Scene scene;

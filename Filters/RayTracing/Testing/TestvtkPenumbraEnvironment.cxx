@@ -274,8 +274,8 @@ TEST(vtkPenumbraEnvironment, CastsShadowsFromSun)
 }
 
 /// Lights points below edges. Returns how many are partly shadowed, and how many of them have a wrong value and
-/// estimate. `width`: of the row of points below each edge.
-std::array<int, 2> CountShadowEdges(const SkyFunction& sky, float width)
+/// estimate. `width`: of the row of points below each edge. `wire`: width of the occluder; 0: a half-plane.
+std::array<int, 2> CountShadowEdges(const SkyFunction& sky, float width, float wire = 0.f)
 {
   vtkNew<vtkPenumbraEnvironment> environment;
   environment->SetImage(MakeImage(Width, Rows, sky));
@@ -290,13 +290,15 @@ std::array<int, 2> CountShadowEdges(const SkyFunction& sky, float width)
   int penumbra = 0;
   for (int edge = 0; edge < Edges; ++edge)
   {
-    // A half-plane at height 1, behind a line through the origin.
+    // At height 1, behind a line through the origin or on both sides of it.
     const float angle = 2.f * static_cast<float>(Pi) * (edge + .3f) / Edges;
     const glm::vec3 across(std::cos(angle), std::sin(angle), 0.f);
     const glm::vec3 along(-across.y, across.x, 0.f);
     const glm::vec3 up(0.f, 0.f, 1.f);
     Scene scene;
-    AddRectangle(scene, up - 50.f * along, 100.f * along, -50.f * across);
+    const float begin = wire > 0.f ? .5f * wire : 0.f;
+    const float end = wire > 0.f ? -.5f * wire : -50.f;
+    AddRectangle(scene, up + begin * across - 50.f * along, 100.f * along, (end - begin) * across);
     const RayScene rays(scene, 1);
     const Illumination light(rays, settings);
     const glm::vec3 sun = map->SampleSun({ .5f, .5f }).Direction;
@@ -312,7 +314,8 @@ std::array<int, 2> CountShadowEdges(const SkyFunction& sky, float width)
           map->SampleSun((glm::vec2(k % Side, k / Side) + .5f) / static_cast<float>(Side));
         const double value = sample.Direction.z * sample.Weight.x / (Pi * Side * Side);
         const glm::vec3 hit = point + sample.Direction / sample.Direction.z;
-        exact += glm::dot(hit, across) > 0.f ? value : 0.0;
+        const float at = glm::dot(hit, across);
+        exact += at > begin || at < end ? value : 0.0;
         unshadowed += value;
       }
       penumbra += exact > 0.0 && exact < unshadowed ? 1 : 0;
@@ -339,6 +342,20 @@ TEST(vtkPenumbraEnvironment, FindsShadowEdgesThatHideLittleOfARoundSun)
   const auto [penumbra, wrong] = CountShadowEdges(SkyWithRoundSun, .14f);
   EXPECT_GT(penumbra, 500);
   EXPECT_EQ(wrong, 0);
+}
+
+TEST(vtkPenumbraEnvironment, MissesSomeWiresNarrowerThanHalfOfTheSun)
+{
+  constexpr double Diameter = 6.4 * Pi / Rows;
+  // Widths relative to the diameter of the sun, and fractions of points with a wrong value and estimate.
+  const double rows[][2] = { { 0.5, 0.0 }, { 0.25, 0.04 }, { 0.125, 0.23 }, { 0.0625, 0.4 } };
+  for (const auto& [width, bound] : rows)
+  {
+    const auto [penumbra, wrong] =
+      CountShadowEdges(SkyWithRoundSun, .14f, static_cast<float>(width * Diameter));
+    EXPECT_GT(penumbra, 1500) << width;
+    EXPECT_LE(wrong, bound * penumbra) << width;
+  }
 }
 
 TEST(vtkPenumbraEnvironment, TreatsIntegersAsSRGB)
