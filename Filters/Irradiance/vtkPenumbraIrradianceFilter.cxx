@@ -443,9 +443,10 @@ void vtkPenumbraIrradianceFilter::Report(const Work& work, vtkIdType size)
   const std::string what = this->OnCells ? "Cells/" : "Points/";
   vtkFieldData* s = this->Statistics;
   AddStatistic(s, what + "Total", static_cast<double>(size));
-  AddStatistic(s, what + "Interpolated", static_cast<double>(baked.Interpolated));
-  AddStatistic(s, what + "Denoised", static_cast<double>(baked.Denoised));
-  AddStatistic(s, what + "BruteForce", static_cast<double>(baked.BruteForce));
+  const std::array<double, 3> counts = CountMethods(work.Mesh, baked, size);
+  AddStatistic(s, what + "Interpolated", counts[0]);
+  AddStatistic(s, what + "Denoised", counts[1]);
+  AddStatistic(s, what + "BruteForce", counts[2]);
   AddStatistic(s, what + "Unused", static_cast<double>(work.Mesh.Unused));
   AddStatistic(s, what + "NotFinite", static_cast<double>(work.Mesh.NotFinite));
   AddStatistic(s, "Cache/Records", static_cast<double>(records));

@@ -40,6 +40,25 @@ vtkSmartPointer<vtkFloatArray> CreateArray(const BakeInput& mesh, const BakedVal
   return array;
 }
 
+std::array<double, 3> CountMethods(const BakeInput& mesh, const BakedValues& baked, vtkIdType size)
+{
+  std::array<double, 3> counts{};
+  std::vector<unsigned char> methods(static_cast<std::size_t>(size), 0); // plus 1
+  for (std::size_t i = 0; i < baked.Methods.size(); ++i)
+  {
+    unsigned char& method = methods[static_cast<std::size_t>(mesh.Ids[i])];
+    method = std::max(method, static_cast<unsigned char>(1 + static_cast<int>(baked.Methods[i])));
+  }
+  for (const unsigned char method : methods)
+  {
+    if (method > 0)
+    {
+      counts[method - 1] += 1.0;
+    }
+  }
+  return counts;
+}
+
 namespace
 {
 

@@ -11,6 +11,7 @@
 #include "vtkFloatArray.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <string>
 
 namespace penumbra
@@ -22,6 +23,10 @@ class RankAgreement;
 /// point. A point or cell with several query points gets their weighted mean.
 vtkSmartPointer<vtkFloatArray> CreateArray(const BakeInput& mesh, const BakedValues& baked,
   vtkIdType size, const char* name, int components, float scale);
+
+/// Returns the numbers of points or cells by BakingMethod. One with several query points counts as the most
+/// expensive of them.
+std::array<double, 3> CountMethods(const BakeInput& mesh, const BakedValues& baked, vtkIdType size);
 
 /// Returns one sentence if nearly all points, of all ranks together, are occluded: the normals face into the mesh, or
 /// the mesh is a cave. It is empty otherwise, and on other ranks than the first one. Collective. `ranks` may be null.

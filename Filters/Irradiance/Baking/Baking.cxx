@@ -193,7 +193,6 @@ std::vector<std::size_t> Interpolate(const std::vector<RecordCandidate>& sites,
   BakedValues& result)
 {
   std::vector<char> unresolved(sites.size());
-  std::atomic<std::size_t> interpolated(0);
   ForEach(sites.size(), fraction, progress, [&](int i) {
     // Records of less weight do not cover the point: it is at the very end of their radius.
     const InterpolationResult found = tree.LookUp(sites[i]);
@@ -202,7 +201,6 @@ std::vector<std::size_t> Interpolate(const std::vector<RecordCandidate>& sites,
     if (isCovered)
     {
       result.Values[i] = { found.Mean, found.Error };
-      ++interpolated;
     }
     else if (here)
     {
@@ -210,7 +208,6 @@ std::vector<std::size_t> Interpolate(const std::vector<RecordCandidate>& sites,
     }
     unresolved[i] = !isCovered && !here;
   });
-  result.Interpolated = interpolated;
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
@@ -232,7 +229,10 @@ struct PointEvaluator
   bool EvaluateByBruteForce(
     const std::vector<std::size_t>& which, double begin, const ProgressCallback& progress)
   {
-    this->Result.BruteForce = which.size();
+    for (const std::size_t index : which)
+    {
+      this->Result.Methods[index] = BakingMethod::BruteForce;
+    }
     return this->Evaluate(this->Estimators.BruteForce, which, begin, 1.0, progress);
   }
 
@@ -264,7 +264,7 @@ struct PointEvaluator
     {
       return false;
     }
-    this->Result.Denoised = this->Denoise(which, spacing, end, progress, estimates, &uncertain);
+    this->Denoise(which, spacing, end, progress, estimates, &uncertain);
     return true;
   }
 
@@ -329,6 +329,7 @@ private:
       if (isCertain && uncertain)
       {
         this->Result.Values[which[i]] = { glm::vec3(fitted[i].Mean), fitted[i].Error };
+        this->Result.Methods[which[i]] = BakingMethod::Denoised;
       }
       else if (uncertain)
       {
@@ -375,6 +376,7 @@ bool Bake(const BakeInput& mesh, const RayScene& rays, bool records, RecordPlace
 {
   const std::vector<RecordCandidate>& sites = mesh.Sites;
   result.Values.resize(sites.size());
+  result.Methods.assign(sites.size(), BakingMethod::Interpolated);
   const bool denoises = records && estimators.LowSample;
   if (records &&
     !PlaceRecords(mesh, Obstacles(mesh, rays),

@@ -39,12 +39,18 @@ struct PointEstimators
   float RegressionRadius = penumbra::RegressionRadius; ///< of the denoising fit, in spacings
 };
 
+/// How a value was computed, the most expensive method last.
+enum class BakingMethod : unsigned char
+{
+  Interpolated, ///< between records, or of a record at the point
+  Denoised,     ///< a low-sample estimate
+  BruteForce
+};
+
 struct BakedValues
 {
-  std::vector<BakedValue> Values; ///< one per query point
-  std::size_t Interpolated = 0;   ///< number of points interpolated between records
-  std::size_t Denoised = 0;       ///< number of points with denoised low-sample estimates
-  std::size_t BruteForce = 0;     ///< number of other points, without those of invalid records
+  std::vector<BakedValue> Values;    ///< one per query point
+  std::vector<BakingMethod> Methods; ///< one per query point
   long long BruteForceRays = 0;
   long long GatherRays = 0; ///< rays of records
 };

@@ -101,7 +101,7 @@ bool BakeDirectLight(const RayScene& rays, const std::vector<RecordCandidate>& s
   const std::vector<Light>& lights = rays.GetScene().Lights;
   const float share = static_cast<float>(tolerance / std::sqrt(static_cast<double>(lights.size())));
   result.Values.assign(sites.size(), {});
-  result.BruteForce = sites.size();
+  result.Methods.assign(sites.size(), BakingMethod::BruteForce);
   std::atomic<long long> total(0);
   const bool done =
     ParallelForWithProgress(static_cast<int>(sites.size()), 0.0, 1.0, progress, [&](int i) {

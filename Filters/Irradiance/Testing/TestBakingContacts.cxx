@@ -294,3 +294,28 @@ TEST(BakingContacts, SurroundingsTouchPointsOfInput)
     }
   }
 }
+
+TEST(BakingContacts, PointsCountOnceByMethod)
+{
+  const Rectangles shape = MakeBoxOnFloor(6);
+  for (const bool onCells : { false, true })
+  {
+    const std::string kind = onCells ? "Cells/" : "Points/";
+    for (const int quantity : { vtkPenumbraIrradianceFilter::AMBIENT_OCCLUSION,
+           vtkPenumbraIrradianceFilter::IRRADIANCE, vtkPenumbraIrradianceFilter::DIRECT_LIGHT })
+    {
+      vtkNew<vtkPenumbraIrradianceFilter> filter;
+      filter->SetInputData(shape.MakeMesh(vtkNew<vtkTransform>()));
+      filter->SetOnCells(onCells);
+      filter->SetQuantity(quantity);
+      filter->AddLight(1.0, 2.0, 3.0, 0.0);
+      filter->Update();
+      double sum = 0.0;
+      for (const char* method : { "Interpolated", "Denoised", "BruteForce", "Unused", "NotFinite" })
+      {
+        sum += GetStatistic(filter, (kind + method).c_str());
+      }
+      EXPECT_EQ(sum, GetStatistic(filter, (kind + "Total").c_str())) << quantity;
+    }
+  }
+}
