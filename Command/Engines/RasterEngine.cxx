@@ -18,6 +18,7 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPenumbraLightShaftPass.h"
 #include "vtkPenumbraOcclusionConstants.h"
 #include "vtkPenumbraTemporalSSAOPass.h"
@@ -26,9 +27,11 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
+#include "vtkTextureObject.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -163,6 +166,32 @@ void AddPassStatistics(vtkPenumbraTemporalSSAOPass* pass, bool arrays, RenderRes
   }
 }
 
+/// Throws CommandError if the image exceeds the textures of OpenGL. VTK would print the state of a framebuffer to
+/// standard output, and render nothing.
+void RequireTextures(const std::array<int, 2>& resolution)
+{
+  constexpr int UsualSize = 8192; // of all implementations
+  const int side = std::max(resolution[0], resolution[1]);
+  if (side <= UsualSize)
+  {
+    return;
+  }
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetShowWindow(false);
+  window->SetSize(8, 8);
+  window->AddRenderer(vtkNew<vtkRenderer>());
+  window->Render();
+  auto* context = vtkOpenGLRenderWindow::SafeDownCast(window);
+  const int largest = context ? vtkTextureObject::GetMaximumTextureSize(context) : -1;
+  if (largest > 0 && side > largest)
+  {
+    throw CommandError(Unavailable,
+      "--resolution: OpenGL renders at most " + std::to_string(largest) +
+        " pixels per side; choose a smaller one, or use --engine ray");
+  }
+}
+
 // A window that contains a renderer, and its passes.
 class RasterRenderer
 {
@@ -186,6 +215,7 @@ RasterRenderer::RasterRenderer(vtkRenderer* renderer, const RenderOptions& optio
   : Renderer(renderer),
     Options(options)
 {
+  RequireTextures(options.Resolution);
   this->Window->SetOffScreenRendering(1);
   this->Window->SetShowWindow(false);
   this->Window->SetMultiSamples(MultiSamples);

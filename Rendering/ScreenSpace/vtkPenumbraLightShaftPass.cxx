@@ -326,8 +326,8 @@ bool vtkPenumbraLightShaftPass::RenderEffect(const vtkRenderState* state)
     const double percent = internals.Constants.Margin >= 0.0 ? internals.Constants.Margin
       : outside                                              ? penumbra::DefaultShaftMargin
                                                              : 0.0;
-    settings.Margin[0] = settings.Margin[1] =
-      static_cast<int>(std::ceil(percent / 100.0 * std::max(size[0], size[1])));
+    settings.Margin[0] = settings.Margin[1] = penumbra::DelegateImage::LimitMargin(
+      window, size, static_cast<int>(std::ceil(percent / 100.0 * std::max(size[0], size[1]))));
   }
   internals.Last = &internals.Views.Get(renderer);
   const bool mapped = std::any_of(lights.begin(), lights.end(),

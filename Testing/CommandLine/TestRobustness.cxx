@@ -77,6 +77,36 @@ TEST(RasterEngine, MatchesRayEngine)
   }
 }
 
+TEST(RasterEngine, RendersEffectsUpToTheLargestTexture)
+{
+  const Folder folder("wide");
+  WriteSpheres(folder.Path);
+  const auto render = [&](const std::string& width, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = { "render", folder / "sphere.ply", "--engine", "raster",
+      "--resolution", width + ",16", "--output", folder / "wide.png" };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return RunProgram(arguments);
+  };
+  const ProgramResult tooWide = render("65535", {});
+  EXPECT_EQ(tooWide.Status, 3);
+  EXPECT_EQ(tooWide.Output, "");
+  EXPECT_EQ(CountLines(tooWide.Errors), 1) << tooWide.Errors;
+  if (tooWide.Errors.find("at most 16384 pixels") == std::string::npos)
+  {
+    GTEST_SKIP() << tooWide.Errors;
+  }
+  // The margins of the effects do not fit.
+  const std::vector<std::string> effects[] = { { "--ambient-occlusion" },
+    { "--light-shafts", "--light-position", "1,1,1,0" } };
+  for (const std::vector<std::string>& options : effects)
+  {
+    const ProgramResult outcome = render("16384", options);
+    EXPECT_EQ(outcome.Status, 0);
+    EXPECT_EQ(outcome.Errors, "");
+    EXPECT_EQ(outcome.Output, "");
+  }
+}
+
 TEST(MissingOpenGL, PrintsOneLineError)
 {
   const Folder folder("no-display");
