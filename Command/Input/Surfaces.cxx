@@ -6,6 +6,7 @@
 #include "FileSeries.h"
 #include "Files/InputFiles.h"
 #include "Geometry/CurvedCells.h"
+#include "GridOffset.h"
 #include "Processes/CommandError.h"
 #include "Processes/Worker.h"
 #include "ReadLimit.h"
@@ -132,26 +133,14 @@ vtkSmartPointer<vtkPolyData> DropCells(vtkPolyData* mesh, const std::vector<bool
   return RemoveUnusedPoints(kept);
 }
 
-/// Returns the distance of single-precision coordinates if it is a visible fraction of the bounds,
-/// else 0.
-double FindRoundingStep(vtkPolyData* mesh)
+/// Returns the distance of coordinates if they are of single precision and it is visible, else 0.
+double FindRoundingStepOfPoints(vtkPolyData* mesh)
 {
-  if (!mesh->GetPoints() || mesh->GetPoints()->GetDataType() != VTK_FLOAT)
-  {
-    return 0.0;
-  }
-  constexpr double VisibleFraction = 1.0 / 4096.0; // a quarter of a pixel of a usual image
   double bounds[6];
   mesh->GetBounds(bounds);
-  double extent = 0.0;
-  double largest = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    extent = std::max(extent, bounds[2 * axis + 1] - bounds[2 * axis]);
-    largest = std::max({ largest, std::abs(bounds[2 * axis]), std::abs(bounds[2 * axis + 1]) });
-  }
-  const double step = std::ldexp(1.0, std::ilogb(std::max(largest, 1e-30)) - 23);
-  return extent > 0.0 && step > VisibleFraction * extent ? step : 0.0;
+  return mesh->GetPoints() && mesh->GetPoints()->GetDataType() == VTK_FLOAT
+    ? FindRoundingStep(bounds)
+    : 0.0;
 }
 
 // Returns the data set with an array of its cell ids.
@@ -194,16 +183,21 @@ Surfaces ExtractSurfaces(
     {
       throw CommandError(BadInput, path + ": the file is damaged: " + inconsistency);
     }
-    vtkSmartPointer<vtkDataSet> rest = dataSet;
+    const GridOffset offset(dataSet);
+    vtkSmartPointer<vtkDataSet> rest = offset.ToOrigin(dataSet);
     if (!cuts.Cuts.empty())
     {
       const bool isCloud = dataSet->GetNumberOfCells() == 0;
       std::string missingHere;
-      rest = ApplyCuts(AddCellIds(isCloud ? MakeMesh(dataSet) : dataSet), cuts, missingHere);
+      if (isCloud)
+      {
+        rest = MakeMesh(rest);
+      }
+      rest = ApplyCuts(AddCellIds(rest), offset.ToOrigin(cuts), missingHere);
       missing = missingHere.empty() ? missing : missingHere;
       wasCut = wasCut || missingHere.empty();
     }
-    vtkSmartPointer<vtkPolyData> mesh = MakeMesh(rest);
+    vtkSmartPointer<vtkPolyData> mesh = offset.FromOrigin(MakeMesh(rest));
     vtkIdType dropped = 0;
     const std::vector<bool> finite = FindFinitePoints(mesh->GetPoints(), dropped);
     surfaces.Points += mesh->GetNumberOfPoints();
@@ -214,7 +208,7 @@ Surfaces ExtractSurfaces(
     }
     if (mesh->GetNumberOfCells() > 0 && mesh->GetNumberOfPoints() > 0)
     {
-      surfaces.RoundingStep = std::max(surfaces.RoundingStep, FindRoundingStep(mesh));
+      surfaces.RoundingStep = std::max(surfaces.RoundingStep, FindRoundingStepOfPoints(mesh));
       surfaces.Meshes.push_back(mesh);
       surfaces.Names.push_back(NameSource(path, i, dataSets.size()));
       surfaces.Actors.push_back(appearance.Actors[i]);

@@ -229,6 +229,75 @@ TEST(Volumes, AreWhereTheirHeadersSay)
   ExpectBounds(folder, volumes);
 }
 
+TEST(Volumes, FarFromTheOriginKeepTheirShape)
+{
+  // Single precision has steps of 1 at 1e7.
+  const Folder folder("far-volumes");
+  const auto write = [](double offset, bool isImage) {
+    std::ostringstream text;
+    text.precision(12);
+    text << "# vtk DataFile Version 3.0\nx\nASCII\nDATASET "
+         << (isImage ? "STRUCTURED_POINTS" : "RECTILINEAR_GRID") << "\nDIMENSIONS 4 3 2\n";
+    if (isImage)
+    {
+      text << "ORIGIN " << offset << ' ' << -offset << " 0\nSPACING .125 .25 .5\n";
+    }
+    else
+    {
+      text << "X_COORDINATES 4 double\n";
+      for (int i = 0; i < 4; ++i)
+      {
+        text << offset + .125 * i << ' ';
+      }
+      text << "\nY_COORDINATES 3 double\n"
+           << -offset << ' ' << -offset + .25 << ' ' << -offset + .5
+           << "\nZ_COORDINATES 2 double\n0 .5\n";
+    }
+    text << "POINT_DATA 24\nSCALARS v float 1\nLOOKUP_TABLE default\n";
+    for (int i = 0; i < 24; ++i)
+    {
+      text << i << ' ';
+    }
+    return text.str();
+  };
+  const auto render = [&](double offset, bool isImage, std::vector<std::string> cuts) {
+    WriteText(folder / "a.vtk", write(offset, isImage));
+    std::vector<std::string> arguments = { "render", folder / "a.vtk", "--output", folder / "a.vti",
+      "--resolution", "40,30", "-s", "-e", "--camera-direction", "-1,-2,-3" };
+    arguments.insert(arguments.end(), cuts.begin(), cuts.end());
+    const ProgramResult outcome = RunProgram(arguments);
+    EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
+    EXPECT_EQ(outcome.Errors, "");
+    return ReadImage(folder / "a.vti");
+  };
+  for (const bool isImage : { true, false })
+  {
+    const std::vector<std::string> kinds[] = { {}, { "--contour", "7.5" },
+      { "--threshold", "0,18" }, { "--slice", "10000000.1,0,.2,1,0,3" },
+      { "--clip", "10000000.1,0,.2,1,0,3" } };
+    for (const std::vector<std::string>& far : kinds)
+    {
+      std::vector<std::string> near = far;
+      if (near.size() == 2 && near[1].rfind("10000000.1", 0) == 0)
+      {
+        near[1] = ".1,0,.2,1,0,3";
+      }
+      const auto expected = render(0.0, isImage, near);
+      const auto image = render(1e7, isImage, far);
+      double difference = 0.0;
+      for (int y = 0; y < 30; ++y)
+      {
+        for (int x = 0; x < 40; ++x)
+        {
+          difference =
+            std::max(difference, std::abs(PixelAt(image, x, y)[1] - PixelAt(expected, x, y)[1]));
+        }
+      }
+      EXPECT_LT(difference, 0.01) << isImage << (far.empty() ? "" : far[0]);
+    }
+  }
+}
+
 TEST(Volumes, CompressedNiftiIsRead)
 {
   const Folder folder("compressed");
