@@ -64,6 +64,8 @@ std::string NameOptions(std::string message)
     { "Tolerance", "--tolerance" },
     { "TimeLimit", "--time-limit" },
     { "LightRadius", "--light-radius" },
+    { "LineRadius", "--line-radius" },
+    { "PointRadius", "--point-radius" },
     { "LightAngle", "--light-angle" },
     { "OpacityArray", "--opacity-array" },
     { "EnvironmentColor", "--environment-color" },

@@ -199,6 +199,10 @@ bool RenderJob::Begin(const ProgressCallback& progress, const WarningFunction& w
   {
     this->WarnOfMissingLight(warn);
   }
+  if (wanted.HasIndirectLight && !wanted.Ranks)
+  {
+    warn(DescribeUnlitLines(this->SceneData), true);
+  }
   this->AddMedium(warn);
   if (this->Shafts || this->Lit.HasPenumbrae())
   {

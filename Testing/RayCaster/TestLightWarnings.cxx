@@ -5,10 +5,12 @@
 #include "vtkPenumbraRayCaster.h"
 
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCubeSource.h"
 #include "vtkLight.h"
+#include "vtkLineSource.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
@@ -166,4 +168,27 @@ TEST_F(MissingLight, IsNotReportedForBlackSurfacesOrAnEmptyView)
   EXPECT_FALSE(this->Warns());
   this->AddBox()->SetDiffuseColor(0.0, 0.0, 0.0);
   EXPECT_FALSE(this->Warns());
+}
+
+TEST_F(MissingLight, OfLinesIsReportedOnlyIfAllAreUnlit)
+{
+  const auto warns = [this] {
+    this->Warns();
+    return this->Messages.find("lines and points without normals") != std::string::npos;
+  };
+  vtkNew<vtkLineSource> line;
+  vtkProperty* property = this->Add(line);
+  EXPECT_FALSE(warns()); // without indirect light
+  this->Caster->IndirectLightOn();
+  property->RenderLinesAsTubesOn();
+  EXPECT_FALSE(warns());
+  property->RenderLinesAsTubesOff();
+  vtkProperty* other = this->AddBox();
+  EXPECT_FALSE(warns());
+  other->SetRepresentationToWireframe(); // VTK lights wireframes
+  EXPECT_FALSE(warns());
+  this->Renderer->RemoveActor(this->Renderer->GetActors()->GetLastActor());
+  EXPECT_TRUE(warns());
+  this->Caster->Modified();
+  EXPECT_FALSE(warns()); // once
 }

@@ -202,4 +202,17 @@ std::string DescribeMissingLight(const FoundLight& found)
     : std::string();
 }
 
+std::string DescribeUnlitLines(const Scene& scene)
+{
+  const auto isUnlit = [](const Surface& surface) {
+    return surface.IsLineOrPoint && !surface.Front.Lighting;
+  };
+  return !scene.Surfaces.empty() &&
+      std::all_of(scene.Surfaces.begin(), scene.Surfaces.end(), isUnlit)
+    ? "Indirect light has no effect, because lines and points without normals have no lighting. "
+      "Set "
+      "LineRadius or PointRadius, or add normals."
+    : std::string();
+}
+
 }

@@ -44,5 +44,9 @@ VTKPENUMBRAFILTERSRAYTRACING_EXPORT FoundLight FindLight(const RayScene& rays, b
 /// a closed box without a light, or the light inside an opaque object. Otherwise, returns an empty string.
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT std::string DescribeMissingLight(const FoundLight& found);
 
+/// Returns one sentence that says what to do if the scene consists of lines and points that have no lighting, as in
+/// VTK. Otherwise, returns an empty string.
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT std::string DescribeUnlitLines(const Scene& scene);
+
 }
 #endif

@@ -61,7 +61,8 @@ const std::vector<FeatureRow>& GetFeatureTable()
     { Feature::Opacity, Drawn, "vtkProperty: Opacity; translucent scalars",
       "Translucent layers are sorted exactly.", "" },
     { Feature::BackfaceProperty, Drawn, "vtkActor: BackfaceProperty", "", "" },
-    { Feature::Culling, Drawn, "vtkProperty: BackfaceCulling, FrontfaceCulling", "", "" },
+    { Feature::Culling, Drawn, "vtkProperty: BackfaceCulling, FrontfaceCulling",
+      "Culled faces cast shadows and occlude, but neither block nor reflect indirect light.", "" },
     { Feature::ClippingPlanes, Drawn, "vtkMapper: ClippingPlanes", "", "" },
     { Feature::CoincidentTopology, Drawn,
       "vtkMapper: ResolveCoincidentTopology, offsets of polygons, lines and points; actors in one "
