@@ -27,6 +27,7 @@
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -106,7 +107,7 @@ bool IsMissing(const Film& film, int frame)
   return film.IsWanted(frame) && !film.IsUpToDate(frame);
 }
 
-/// Renders the missing frames of a group in order.
+/// Renders the missing frames of a group in order, also if the files of some cannot be written.
 int RenderGroup(const Film& film, const FrameGroup& group, int threads)
 {
   RenderOptions fixed = film.GetFrameOptions(group.First);
@@ -134,6 +135,7 @@ int RenderGroup(const Film& film, const FrameGroup& group, int threads)
   {
     draw = rays ? PrepareRays(scene.Renderer, fixed) : PrepareRaster(scene.Renderer, fixed);
   }
+  int status = Done;
   for (int frame = group.First; frame <= group.Last; ++frame)
   {
     const RenderOptions one = film.GetFrameOptions(frame);
@@ -146,25 +148,47 @@ int RenderGroup(const Film& film, const FrameGroup& group, int threads)
     }
     Move(scene, film, fixed, frame);
     std::optional<OutputFiles> output;
-    if (missing)
+    const auto report = [&status, &output](const CommandError& error) {
+      PrintMessage(error.what());
+      status = std::max<int>(status, error.ExitStatus);
+      output.reset();
+    };
+    try
     {
-      output.emplace(fixed);
+      if (missing)
+      {
+        CreateFolders(fixed);
+        output.emplace(fixed);
+      }
+    }
+    catch (const CommandError& error)
+    {
+      report(error);
+    }
+    if (!output && rays)
+    {
+      continue;
     }
     EnterPhase("rendering " + fixed.Output, Unavailable);
     const ProgressListener silent = [](double) {};
     const RenderResult result = draw ? draw(silent) : RenderWithRays(scene.Renderer, fixed, silent);
-    if (missing)
+    try
     {
-      for (const std::string& warning :
-        output->Save(result, scene.Renderer, fixed, preparation, film.GetFingerprint(frame)))
+      for (const std::string& warning : output
+          ? output->Save(result, scene.Renderer, fixed, preparation, film.GetFingerprint(frame))
+          : std::vector<std::string>())
       {
         warnings.push_back(fixed.Output + ": " + warning);
       }
     }
+    catch (const CommandError& error)
+    {
+      report(error);
+    }
     preparation = { Clock::now() };
   }
   PrintWarnings(warnings);
-  return Done;
+  return status;
 }
 
 /// Returns the groups that have missing images, and the number of these in `missing`.
@@ -216,10 +240,6 @@ int Animate(const FilmOptions& options)
   {
     film.WriteDefaults();
     return Done;
-  }
-  for (const FrameGroup& group : groups)
-  {
-    CreateFolders(film.GetFrameOptions(group.First));
   }
   int wanted = 0;
   for (int frame = 0; frame < film.GetNumberOfFrames(); ++frame)

@@ -109,17 +109,16 @@ std::string Encode(vtkImageData* image, Writer* writer)
 // Throws if a writer that writes to files reported an error or left an incomplete file.
 void CheckWritten(unsigned long errorCode, const AtomicFile& file)
 {
-  const std::vector<std::string> errors = TakeErrors();
+  const bool failed = !TakeErrors().empty();
   std::error_code missing;
   const auto size = std::filesystem::file_size(file.TemporaryPath(), missing);
   if (errorCode == vtkErrorCode::OutOfDiskSpaceError)
   {
     file.Fail("the disk is full; free space or choose another folder");
   }
-  if (errorCode != vtkErrorCode::NoError || !errors.empty() || missing || size == 0)
+  if (errorCode != vtkErrorCode::NoError || failed || missing || size == 0)
   {
-    file.Fail(
-      errors.empty() ? "the file is incomplete; check the free disk space" : errors.front());
+    file.Fail("the file is incomplete; check the free disk space");
   }
 }
 

@@ -155,6 +155,36 @@ TEST(Animate, KeepsCameraOfFirstTimeStepAndReportsBadFile)
   EXPECT_NEAR(moments[1] / sums[1] - moments[0] / sums[0], 0.25 * sums[0], 0.02);
 }
 
+TEST(Animate, MakesTheOtherImagesIfOneCannotBeWritten)
+{
+  for (const char* engine : { "ray", "raster" })
+  {
+    const Folder folder("one-bad-image");
+    WriteText(folder / "0.stl", SquareStl(0.0, 0.0));
+    std::filesystem::create_directories(folder / "0001.png/kept");
+    const ProgramResult outcome = RunProgram(Small({ "animate", folder / "0.stl", "--frames", "3",
+      "--orbit", "60", "--engine", engine, "--output", folder / "{frame}.png" }));
+    EXPECT_EQ(outcome.Status, 2);
+    EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+    EXPECT_NE(outcome.Errors.find("0001.png"), std::string::npos) << outcome.Errors;
+    EXPECT_TRUE(std::filesystem::is_regular_file(folder / "0000.png"));
+    EXPECT_TRUE(std::filesystem::is_regular_file(folder / "0002.png"));
+  }
+}
+
+TEST(Animate, CreatesTheFolderOfEachImage)
+{
+  const Folder folder("folders");
+  WriteText(folder / "0.stl", SquareStl(0.0, 0.0));
+  Make({ "animate", folder / "0.stl", "--frames", "3", "--orbit", "60", "--output",
+    folder / "{frame}/image.png", "--statistics", folder / "{frame}/more/report.json" });
+  for (const std::string frame : { "0000", "0001", "0002" })
+  {
+    EXPECT_TRUE(std::filesystem::exists(folder / (frame + "/image.png"))) << frame;
+    EXPECT_TRUE(std::filesystem::exists(folder / (frame + "/more/report.json"))) << frame;
+  }
+}
+
 TEST(Animate, ResumesToSameImages)
 {
   const struct

@@ -41,7 +41,9 @@ void ExpectWholeOrNothing(
   const std::vector<std::string> before = folder.List();
   for (const std::uintmax_t limit : { size - 1, size / 2 })
   {
-    ExpectRefused(RunOnFullDisk(limit, arguments), name + ": cannot be written");
+    const ProgramResult outcome = RunOnFullDisk(limit, arguments);
+    ExpectRefused(outcome, name + ": cannot be written");
+    EXPECT_EQ(outcome.Errors.find("read"), std::string::npos) << outcome.Errors;
     EXPECT_EQ(folder.List(), before) << arguments;
   }
 }
@@ -82,10 +84,13 @@ TEST(FullDisk, LeavesNoPartialFrame)
   const Folder folder("full-animation");
   WriteText(folder / "square.stl", SquareStl());
   const std::vector<std::string> before = folder.List();
-  ExpectRefused(RunOnFullDisk(60,
-                  "animate " + Quote(folder / "square.stl") + " --frames 2 --resolution 40,30" +
-                    " --output " + Quote(folder / "{frame}.tif")),
-    "cannot be written");
+  const ProgramResult outcome = RunOnFullDisk(60,
+    "animate " + Quote(folder / "square.stl") + " --frames 2 --resolution 40,30" + " --output " +
+      Quote(folder / "{frame}.tif"));
+  EXPECT_EQ(outcome.Status, 2) << outcome.Errors;
+  EXPECT_EQ(CountLines(outcome.Errors), 2) << outcome.Errors;
+  EXPECT_NE(outcome.Errors.find("0001.tif: cannot be written"), std::string::npos)
+    << outcome.Errors;
   EXPECT_EQ(folder.List(), before);
 }
 
