@@ -9,6 +9,7 @@
 #include "Files/Report.h"
 #include "Formats/MeshWriter.h"
 #include "Input/EnvironmentFile.h"
+#include "Input/GridOffset.h"
 #include "Input/ReadLimit.h"
 #include "Input/Surfaces.h"
 #include "Options/Falloffs.h"
@@ -26,6 +27,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPenumbraCubeMapGatherer.h"
@@ -43,6 +45,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <sstream>
 
 namespace penumbra
 {
@@ -146,6 +149,19 @@ std::vector<std::string> FindIgnoredOptions(const CommandLine& app, const BakeOp
   return warnings;
 }
 
+/// Adds the names of arrays that `from` has and `to` has not.
+void FindLostArrays(vtkFieldData* from, vtkFieldData* to, std::set<std::string>& lost)
+{
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    const char* name = from->GetArrayName(i);
+    if (name && !to->HasArray(name))
+    {
+      lost.insert(name);
+    }
+  }
+}
+
 /// Returns all surfaces of the file, appended to one mesh.
 vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, std::vector<std::string>& warnings)
 {
@@ -170,6 +186,19 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, std::vector<std::
     }
     append->Update();
     mesh = append->GetOutput();
+    std::set<std::string> lost;
+    for (const vtkSmartPointer<vtkPolyData>& part : surfaces.Meshes)
+    {
+      FindLostArrays(part->GetPointData(), mesh->GetPointData(), lost);
+      FindLostArrays(part->GetCellData(), mesh->GetCellData(), lost);
+    }
+    lost.erase(OriginalCellIds);
+    lost.erase(CurvedFaces);
+    if (!lost.empty())
+    {
+      warnings.push_back(path + ": arrays that not all parts have were left out: " +
+        Join({ lost.begin(), lost.end() }, ", "));
+    }
   }
   mesh->GetCellData()->RemoveArray(OriginalCellIds);
   mesh->GetCellData()->RemoveArray(CurvedFaces);
@@ -206,6 +235,15 @@ bool WriteAs(const std::string& extension, vtkPolyData* mesh, const std::string&
 {
   if (extension == ".ply")
   {
+    const double step = FindRoundingStep(mesh->GetBounds());
+    if (step > 0.0 && mesh->GetPoints()->GetDataType() == VTK_DOUBLE)
+    {
+      std::ostringstream text;
+      text << "--output: coordinates in .ply files have single precision and are rounded to "
+              "multiples of "
+           << step << "; use .vtp, .vtu or .vtk";
+      warnings.push_back(text.str());
+    }
     AddColors(mesh, quantity);
     return WritePly(mesh, "Baked", path);
   }

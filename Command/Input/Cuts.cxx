@@ -42,7 +42,8 @@ vtkDataArray* FindIn(vtkDataSetAttributes* attributes, const std::string& name)
   {
     vtkDataArray* array = attributes->GetArray(i);
     const bool isValue = array && array->GetName() && array->GetNumberOfComponents() == 1 &&
-      array != attributes->GetGlobalIds() && array != attributes->GetNormals();
+      array != attributes->GetGlobalIds() && array != attributes->GetNormals() &&
+      std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName();
     scalars = isValue ? array : nullptr;
   }
   return scalars;

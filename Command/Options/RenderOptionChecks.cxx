@@ -15,32 +15,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace penumbra
 {
 
 namespace
 {
-
-void RequireColoring(const CommandLine& app, const RenderOptions& options)
-{
-  for (const char* name : { "--scalar-bar-title", "--scalar-bar-position", "--scalar-bar-size",
-         "--scalar-bar-labels", "--scalar-bar-format" })
-  {
-    if (!options.Coloring.ScalarBar && app.Count(name) > 0)
-    {
-      throw CommandError(BadInput, std::string(name) + " needs --coloring-scalar-bar; give both");
-    }
-  }
-  for (const char* name : { "--coloring-component", "--coloring-range", "--coloring-by-cells",
-         "--colormap", "--coloring-scalar-bar", "-y" })
-  {
-    if (!options.Coloring.Enabled && app.Count(name) > 0)
-    {
-      throw CommandError(BadInput, std::string(name) + " needs --scalar-coloring; give both");
-    }
-  }
-}
 
 /// Throws CommandError for options whose effect the selected engine cannot render. Options that only
 /// configure the other engine are ignored with a warning, see FindIgnoredOptions().
@@ -107,14 +88,13 @@ void CheckRenderOptions(const CommandLine& app, const RenderOptions& options)
 {
   CheckOutputExtension(options.Output, "--output");
   RequireEngine(app, options);
-  RequireColoring(app, options);
   if (app.Count("--point-sprites") > 0 && options.PointSprites != "none")
   {
     throw CommandError(BadInput,
       "--point-sprites: an option of F3D; use --representation points with --point-size or "
       "--point-radius");
   }
-  CheckShaftOptions(app, options.Shafts);
+  CheckShaftOptions(options.Shafts);
   CheckTimeOptions(app);
   if (!options.Background && !SupportsAlpha(options.Output))
   {
@@ -176,73 +156,105 @@ std::vector<std::string> FindIgnoredOptions(const CommandLine& app, const Render
             const std::array<double, 4>& light) { return (light[3] > 0.0) == positional; }));
   };
   const bool hasArea = ray && (options.LightRadius > 0.0 || options.LightAngle > 0.0);
-  const struct
+  const bool bar = options.Coloring.ScalarBar;
+  // `--contour` and `--threshold` use it as well.
+  const bool usesCells = options.Coloring.Enabled || !options.Cuts.empty();
+  const char* const withoutColoring = "without --scalar-coloring";
+  const char* const withoutBar = "without --coloring-scalar-bar";
+  struct Row
   {
     const char* Option;
     bool IsIgnored;
     const char* Reason;
-  } rows[] = {
-    { "--tolerance", !ray && !options.AmbientOcclusion && !options.Shafts.Enabled,
-      "with --engine raster without --ambient-occlusion or --light-shafts" },
-    { "--light-tolerance",
-      !options.AmbientOcclusion && !options.Light.Indirect && !options.Shafts.Enabled && !hasArea &&
-        !HoldsArrays(options.Output),
-      "without --ambient-occlusion, --indirect, --light-radius, --light-angle or --light-shafts" },
-    { "--tolerance", !ray && options.LightTolerance > 0.0,
-      "with --engine raster and --light-tolerance" },
-    { "--shafts-estimator", ray, "with --engine ray" },
-    { "--shafts-surface-light", !ray, "with --engine raster" },
-    { "--shafts-behind-translucent", !ray, "with --engine raster, which always does so" },
-    { "--max-level", !ray, "with --engine raster" },
-    { "--time-limit", !ray, "with --engine raster" },
-    { "--no-small-objects", !ray, "with --engine raster" },
-    { "--point-size", options.PointRadius > 0.0, "with --point-radius" },
-    { "--line-width", options.LineRadius > 0.0 && !options.ShowEdges, "with --line-radius" },
-    { "--maximum-paths", !IsVectorGraphic(options.Output), "without .svg or .pdf in --output" },
-    { "--outline-width", !IsVectorGraphic(options.Output), "without .svg or .pdf in --output" },
-    { "--ambient-occlusion-radius", !options.AmbientOcclusion && !HoldsArrays(options.Output),
-      "without --ambient-occlusion" },
-    { "--ambient-occlusion-falloff", !options.AmbientOcclusion && !HoldsArrays(options.Output),
-      "without --ambient-occlusion" },
-    { "--ambient-occlusion-falloff", std::isinf(options.AmbientOcclusionRadius),
-      "with --ambient-occlusion-radius inf" },
-    { "--ambient-occlusion-strength", !options.AmbientOcclusion, "without --ambient-occlusion" },
-    { "--ambient-occlusion-light-awareness", !options.AmbientOcclusion,
-      "without --ambient-occlusion" },
-    { "--ambient-occlusion-light-awareness", options.AmbientOcclusion && ray, "with --engine ray" },
-    { "--ambient-occlusion-kernel", !options.AmbientOcclusion, "without --ambient-occlusion" },
-    { "--ambient-occlusion-kernel", options.AmbientOcclusion && ray, "with --engine ray" },
-    { "--cache", !ray, "with --engine raster" },
-    { "--cache", ray && !options.AmbientOcclusion && !options.Light.Indirect,
-      "without --ambient-occlusion or --indirect" },
-    { "--gatherer", !ray, "with --engine raster" },
-    { "--gatherer", ray && options.Cache == "none", "with --cache none" },
-    { "--gatherer", ray && !options.AmbientOcclusion && !options.Light.Indirect,
-      "without --ambient-occlusion or --indirect" },
-    { "--environment-color", !options.Light.Indirect, "without --indirect" },
-    { "--environment-color", !options.Light.EnvironmentFile.empty(), "with --hdri-file" },
-    { "--hdri-file", !options.Light.Indirect, "without --indirect" },
-    { "--hdri-up", options.Light.EnvironmentFile.empty(), "without --hdri-file" },
-    { "--albedo", !options.Light.Indirect, "without --indirect" },
-    { "--bounces", !options.Light.Indirect, "without --indirect" },
-    { "--camera-parallel-scale", !orthographic, "without --camera-orthographic" },
-    { "--camera-view-angle", orthographic, "with --camera-orthographic" },
-    { "--camera-zoom-factor", placed, "with --camera-position or --camera-index" },
-    { "--camera-direction", placed,
-      "with --camera-position or --camera-index, unless the camera is at the center of the "
-      "bounds" },
-    { "--light-position", !options.Lighting, "with --no-lighting" },
-    { "--shadows", !lights, "without --light-position: the headlight casts no shadows" },
-    { "--light-radius", !hasLight(true), "without a positional --light-position" },
-    { "--light-angle", !hasLight(false), "without a directional --light-position (w = 0)" },
-    { "--blending", !ray, "with --engine raster, which blends in the order of the cells" },
-    { "--raytracing", !ray, "with --engine raster" },
-    { "--window", ray && options.Gatherer == "rays", "with --engine ray" },
   };
-  std::vector<std::string> warnings;
-  for (const auto& row : rows)
+  std::vector<Row> rows;
+  for (const std::string& name : ShaftOptions::GetNames())
   {
-    if (row.IsIgnored && app.Count(row.Option) > 0)
+    rows.push_back({ name.c_str(), !options.Shafts.Enabled, "without --light-shafts" });
+  }
+  // The first row that applies to an option counts.
+  rows.insert(rows.end(),
+    {
+      { "--tolerance", !ray && !options.AmbientOcclusion && !options.Shafts.Enabled,
+        "with --engine raster without --ambient-occlusion or --light-shafts" },
+      { "--light-tolerance",
+        !options.AmbientOcclusion && !options.Light.Indirect && !options.Shafts.Enabled &&
+          !hasArea && !HoldsArrays(options.Output),
+        "without --ambient-occlusion, --indirect, --light-radius, --light-angle or "
+        "--light-shafts" },
+      { "--tolerance", !ray && options.LightTolerance > 0.0,
+        "with --engine raster and --light-tolerance" },
+      { "--shafts-estimator", ray, "with --engine ray" },
+      { "--shafts-surface-light", !ray, "with --engine raster" },
+      { "--shafts-behind-translucent", !ray, "with --engine raster, which always does so" },
+      { "--max-level", !ray, "with --engine raster" },
+      { "--time-limit", !ray, "with --engine raster" },
+      { "--no-small-objects", !ray, "with --engine raster" },
+      { "--point-size", options.PointRadius > 0.0, "with --point-radius" },
+      { "--line-width", options.LineRadius > 0.0 && !options.ShowEdges, "with --line-radius" },
+      { "--maximum-paths", !IsVectorGraphic(options.Output), "without .svg or .pdf in --output" },
+      { "--outline-width", !IsVectorGraphic(options.Output), "without .svg or .pdf in --output" },
+      { "--ambient-occlusion-radius", !options.AmbientOcclusion && !HoldsArrays(options.Output),
+        "without --ambient-occlusion" },
+      { "--ambient-occlusion-falloff", !options.AmbientOcclusion && !HoldsArrays(options.Output),
+        "without --ambient-occlusion" },
+      { "--ambient-occlusion-falloff", std::isinf(options.AmbientOcclusionRadius),
+        "with --ambient-occlusion-radius inf" },
+      { "--ambient-occlusion-strength", !options.AmbientOcclusion, "without --ambient-occlusion" },
+      { "--ambient-occlusion-light-awareness", !options.AmbientOcclusion,
+        "without --ambient-occlusion" },
+      { "--ambient-occlusion-light-awareness", options.AmbientOcclusion && ray,
+        "with --engine ray" },
+      { "--ambient-occlusion-kernel", !options.AmbientOcclusion, "without --ambient-occlusion" },
+      { "--ambient-occlusion-kernel", options.AmbientOcclusion && ray, "with --engine ray" },
+      { "--cache", !ray, "with --engine raster" },
+      { "--cache", ray && !options.AmbientOcclusion && !options.Light.Indirect,
+        "without --ambient-occlusion or --indirect" },
+      { "--gatherer", !ray, "with --engine raster" },
+      { "--gatherer", ray && options.Cache == "none", "with --cache none" },
+      { "--gatherer", ray && !options.AmbientOcclusion && !options.Light.Indirect,
+        "without --ambient-occlusion or --indirect" },
+      { "--environment-color", !options.Light.Indirect, "without --indirect" },
+      { "--environment-color", !options.Light.EnvironmentFile.empty(), "with --hdri-file" },
+      { "--hdri-file", !options.Light.Indirect, "without --indirect" },
+      { "--hdri-up", options.Light.EnvironmentFile.empty(), "without --hdri-file" },
+      { "--albedo", !options.Light.Indirect, "without --indirect" },
+      { "--bounces", !options.Light.Indirect, "without --indirect" },
+      { "--camera-parallel-scale", !orthographic, "without --camera-orthographic" },
+      { "--camera-view-angle", orthographic, "with --camera-orthographic" },
+      { "--camera-zoom-factor", placed, "with --camera-position or --camera-index" },
+      { "--camera-direction", placed,
+        "with --camera-position or --camera-index, unless the camera is at the center of the "
+        "bounds" },
+      { "--light-position", !options.Lighting, "with --no-lighting" },
+      { "--indirect", !options.Lighting, "with --no-lighting" },
+      { "--shadows", !options.Lighting, "with --no-lighting" },
+      { "--shadows", !lights, "without --light-position: the headlight casts no shadows" },
+      { "--light-radius", !hasLight(true), "without a positional --light-position" },
+      { "--light-angle", !hasLight(false), "without a directional --light-position (w = 0)" },
+      { "--blending", !ray, "with --engine raster, which blends in the order of the cells" },
+      { "--raytracing", !ray, "with --engine raster" },
+      { "--window", ray && options.Gatherer == "rays", "with --engine ray" },
+      { "--shafts-base-height", !(options.Shafts.ScaleHeight > 0.0),
+        "without --shafts-scale-height" },
+      { "--shafts-up", !(options.Shafts.ScaleHeight > 0.0), "without --shafts-scale-height" },
+      { "--coloring-component", !options.Coloring.Enabled, withoutColoring },
+      { "--coloring-range", !options.Coloring.Enabled, withoutColoring },
+      { "--coloring-by-cells", !usesCells, withoutColoring },
+      { "--colormap", !options.Coloring.Enabled, withoutColoring },
+      { "--coloring-scalar-bar", !options.Coloring.Enabled, withoutColoring },
+      { "-y", !options.Coloring.Enabled, withoutColoring },
+      { "--scalar-bar-title", !bar, withoutBar },
+      { "--scalar-bar-position", !bar, withoutBar },
+      { "--scalar-bar-size", !bar, withoutBar },
+      { "--scalar-bar-labels", !bar, withoutBar },
+      { "--scalar-bar-format", !bar, withoutBar },
+    });
+  std::vector<std::string> warnings;
+  std::set<std::string> found;
+  for (const Row& row : rows)
+  {
+    if (row.IsIgnored && app.Count(row.Option) > 0 && found.insert(row.Option).second)
     {
       warnings.push_back(std::string(row.Option) + " has no effect " + row.Reason);
     }

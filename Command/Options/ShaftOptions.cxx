@@ -121,28 +121,14 @@ void DeclareShaftOptions(const CommandLine& app, ShaftOptions& shafts)
   }
 }
 
-void CheckShaftOptions(const CommandLine& app, const ShaftOptions& shafts)
+void CheckShaftOptions(const ShaftOptions& shafts)
 {
-  for (const std::string& name : ShaftOptions::GetNames())
-  {
-    if (!shafts.Enabled && app.Count(name) > 0)
-    {
-      throw CommandError(BadInput, name + " needs --light-shafts; give both");
-    }
-  }
   for (std::size_t i = 0; i < 3 && !shafts.Scattering.empty() && !shafts.Extinction.empty(); ++i)
   {
     if (Of(shafts.Extinction, i) < Of(shafts.Scattering, i))
     {
       throw CommandError(BadInput,
         "--shafts-extinction must not be less than --shafts-scattering, which it includes");
-    }
-  }
-  for (const char* name : { "--shafts-base-height", "--shafts-up" })
-  {
-    if (app.Count(name) > 0 && !(shafts.ScaleHeight > 0.0))
-    {
-      throw CommandError(BadInput, std::string(name) + " needs --shafts-scale-height; give both");
     }
   }
   const Vector3 up = shafts.Up.value_or(Vector3{ 0, 1, 0 });

@@ -36,7 +36,7 @@ struct ShaftOptions
   bool BehindTranslucent = false;         ///< ray: translucent surfaces are in front of the medium
   std::string Estimator = "depth";        ///< raster: "depth" or "shadow-map"
 
-  /// Names of the options that need --light-shafts.
+  /// Names of the options that have an effect with --light-shafts only.
   static const std::vector<std::string>& GetNames();
 };
 
@@ -47,7 +47,7 @@ double FindLowestHeight(vtkRenderer* renderer, const Vector3& up);
 void DeclareShaftOptions(const CommandLine& app, ShaftOptions& shafts);
 
 /// Throws CommandError if options contradict each other.
-void CheckShaftOptions(const CommandLine& app, const ShaftOptions& shafts);
+void CheckShaftOptions(const ShaftOptions& shafts);
 
 }
 #endif

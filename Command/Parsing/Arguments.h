@@ -34,7 +34,7 @@ struct Range
 /// Returns `texts` with `separator` between them.
 std::string Join(const std::vector<std::string>& texts, const std::string& separator);
 
-/// Parses numbers separated by commas. Throws InvalidValue naming `option`.
+/// Parses numbers, such as 0.25, 1e-3 or 1/256, separated by commas. Throws InvalidValue naming `option`.
 std::vector<double> ParseNumbers(const std::string& option, const std::string& text,
   std::size_t minimum, std::size_t maximum, const Range& range);
 

@@ -39,11 +39,13 @@ bool IsOfFile(vtkDataArray* array)
     std::string(array->GetName()) != CurvedFaces;
 }
 
-/// Returns whether the array is a candidate for coloring; normals and texture coordinates must be
-/// named.
+/// Returns whether the array is a candidate for coloring; normals, texture coordinates and the marks of
+/// ghosts must be named.
 bool IsColorable(vtkDataSetAttributes* attributes, vtkDataArray* array)
 {
-  return IsOfFile(array) && array != attributes->GetNormals() && array != attributes->GetTCoords();
+  return IsOfFile(array) && array != attributes->GetNormals() &&
+    array != attributes->GetTCoords() &&
+    std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName();
 }
 
 bool HasArray(const Mappers& mappers, const std::string& name, bool cells)

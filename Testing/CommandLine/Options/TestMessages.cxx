@@ -76,6 +76,69 @@ TEST(Messages, ReachedTimeLimitsNameTheirOption)
   }
 }
 
+TEST(Messages, IndirectLightOnLinesNamesOptions)
+{
+  const Folder folder("lines");
+  WriteText(folder / "lines.obj", "v 0 0 0\nv 1 1 0\nv 1 0 0\nl 1 2 3\n");
+  const ProgramResult outcome = RunProgram({ "render", folder / "lines.obj", "--output",
+    folder / "a.png", "--resolution", "16,16", "--indirect", "--environment-color", "1,1,1" });
+  EXPECT_EQ(outcome.Status, 0);
+  EXPECT_EQ(std::count(outcome.Errors.begin(), outcome.Errors.end(), '\n'), 1) << outcome.Errors;
+  ExpectOptions(outcome, "--line-radius");
+}
+
+TEST(Messages, MarksOfGhostsAreNoColors)
+{
+  const Folder folder("ghosts");
+  const std::string head = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n"
+                           "POINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\n"
+                           "POINT_DATA 3\nFIELD f ";
+  const std::string ghosts = "vtkGhostType 1 3 unsigned_char\n0 0 0\n";
+  WriteText(folder / "ghosts.vtk", head + "1\n" + ghosts);
+  WriteText(folder / "both.vtk", head + "2\n" + ghosts + "z 1 3 float\n0 1 2\n");
+  const auto run = [&](const std::string& name, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = { "render", folder / name, "--output", folder / "a.png",
+      "--resolution", "16,16" };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return RunProgram(arguments);
+  };
+  const ProgramResult refused = run("ghosts.vtk", { "-s" });
+  EXPECT_EQ(refused.Status, 2);
+  EXPECT_NE(refused.Errors.find("no point array"), std::string::npos) << refused.Errors;
+  EXPECT_EQ(run("ghosts.vtk", { "--contour", "0.5" }).Status, 2);
+  EXPECT_EQ(run("ghosts.vtk", { "--coloring-array", "vtkGhostType" }).Status, 0);
+  // The only contour of z is a line.
+  EXPECT_EQ(run("both.vtk", { "--contour", "0.5", "-s" }).Errors, "");
+}
+
+TEST(Messages, BakedFilesThatLoseDataAreReported)
+{
+  const Folder folder("lost");
+  const std::string triangle = "0 0 1e7 1 0 1e7 0 1 1e7\nPOLYGONS 1 4\n3 0 1 2\n";
+  const std::string head = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 ";
+  WriteText(folder / "far.vtk", head + "double\n" + triangle);
+  const auto bake = [&](const std::string& from, const std::string& to) {
+    return RunProgram({ "bake", folder / from, "--output", folder / to });
+  };
+  ExpectOptions(bake("far.vtk", "far.ply"), "multiples of 1;");
+  EXPECT_EQ(bake("far.vtk", "far.vtp").Errors, "");
+  // Two blocks, of which one has the array.
+  EXPECT_EQ(bake("far.vtk", "0.vtp").Status, 0);
+  WriteText(folder / "plain.stl", SquareStl());
+  EXPECT_EQ(RunProgram({ "bake", folder / "plain.stl", "--quantity", "irradiance", "--output",
+                         folder / "1.vtp" })
+              .Status,
+    0);
+  WriteText(folder / "blocks.vtm",
+    "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\"><vtkMultiBlockDataSet>"
+    "<DataSet index=\"0\" file=\"0.vtp\"/><DataSet index=\"1\" file=\"1.vtp\"/>"
+    "</vtkMultiBlockDataSet></VTKFile>");
+  const ProgramResult outcome = bake("blocks.vtm", "both.vtp");
+  EXPECT_EQ(outcome.Status, 0);
+  EXPECT_NE(outcome.Errors.find("AmbientOcclusion, Irradiance"), std::string::npos)
+    << outcome.Errors;
+}
+
 TEST(Messages, BakingWithoutLightNamesOptions)
 {
   const Folder folder("black");

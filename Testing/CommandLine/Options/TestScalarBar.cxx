@@ -172,9 +172,6 @@ TEST(ScalarBar, InvalidSettingsAreErrors)
     EXPECT_EQ(outcome.Status, 2) << option << value;
     EXPECT_NE(outcome.Errors.find(option), std::string::npos) << outcome.Errors;
   }
-  const ProgramResult outcome = Render(folder, "bar.png", { "--scalar-bar-title", "z" });
-  EXPECT_EQ(outcome.Status, 2);
-  EXPECT_NE(outcome.Errors.find("needs --coloring-scalar-bar"), std::string::npos);
 }
 
 }
