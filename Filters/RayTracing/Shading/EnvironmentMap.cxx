@@ -29,6 +29,11 @@ EnvironmentMap::EnvironmentMap(
     Right(right),
     Forward(glm::cross(right, up))
 {
+  this->SinesOfLatitude.reserve(static_cast<std::size_t>(height) + 1);
+  for (int row = 0; row <= height; ++row)
+  {
+    this->SinesOfLatitude.push_back(-std::cos(Pi * row / height));
+  }
   this->MeanRadiance = this->ComputeClampedMean(std::numeric_limits<double>::infinity());
   const auto threshold = static_cast<float>(this->FindSunThreshold());
   for (int row = 0; row < height; ++row)
@@ -58,8 +63,7 @@ EnvironmentMap::EnvironmentMap(
 
 double EnvironmentMap::ComputeTexelWeight(int row) const
 {
-  return .5 * (this->ComputeSineOfLatitude(row + 1) - this->ComputeSineOfLatitude(row)) /
-    this->Width;
+  return .5 * (this->SinesOfLatitude[row + 1] - this->SinesOfLatitude[row]) / this->Width;
 }
 
 double EnvironmentMap::ComputeClampedMean(double limit) const
@@ -95,11 +99,6 @@ double EnvironmentMap::FindSunThreshold() const
   }
 }
 
-double EnvironmentMap::ComputeSineOfLatitude(int row) const
-{
-  return -std::cos(Pi * row / this->Height);
-}
-
 glm::vec3 EnvironmentMap::ComputeDirection(double u, double sine) const
 {
   const double longitude = 2.0 * Pi * (u - .5);
@@ -111,11 +110,13 @@ glm::vec3 EnvironmentMap::ComputeDirection(double u, double sine) const
 glm::vec3 EnvironmentMap::ClampedRadiance(glm::vec3 direction) const
 {
   const glm::dvec3 w(direction);
-  const double u =
-    std::atan2(glm::dot(w, this->Forward), glm::dot(w, this->Right)) / (2.0 * Pi) + .5;
-  const double v = std::asin(std::clamp(glm::dot(w, this->Up), -1.0, 1.0)) / Pi + .5;
-  const int i = std::clamp(static_cast<int>(u * this->Width), 0, this->Width - 1);
-  const int row = std::clamp(static_cast<int>(v * this->Height), 0, this->Height - 1);
+  const auto angle = std::atan2(
+    static_cast<float>(glm::dot(w, this->Forward)), static_cast<float>(glm::dot(w, this->Right)));
+  const float u = angle / static_cast<float>(2.0 * Pi) + 0.5f;
+  const int i =
+    std::clamp(static_cast<int>(u * static_cast<float>(this->Width)), 0, this->Width - 1);
+  const auto begin = this->SinesOfLatitude.begin() + 1;
+  const auto row = std::upper_bound(begin, begin + this->Height - 1, glm::dot(w, this->Up)) - begin;
   return this->ClampedRadiances[static_cast<std::size_t>(row) * this->Width + i];
 }
 
@@ -142,8 +143,8 @@ EnvironmentMap::Sun EnvironmentMap::SampleSun(glm::vec2 sample) const
                           : this->Suns.begin() + static_cast<std::ptrdiff_t>(std::next(row)->First);
   double across = 0.0;
   const auto sun = find(begin, end, rowTotal, sample.y * rowTotal, across);
-  const double low = this->ComputeSineOfLatitude(row->Row);
-  const double sine = low + fraction * (this->ComputeSineOfLatitude(row->Row + 1) - low);
+  const double low = this->SinesOfLatitude[row->Row];
+  const double sine = low + fraction * (this->SinesOfLatitude[row->Row + 1] - low);
   return { this->ComputeDirection((sun->Column + across) / this->Width, sine),
     static_cast<float>(this->SunIrradiance) * sun->Color };
 }

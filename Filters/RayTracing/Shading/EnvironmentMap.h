@@ -57,8 +57,6 @@ private:
   /// Returns the direction of a horizontal image coordinate in [0, 1] and a sine of latitude in
   /// [-1, 1].
   glm::vec3 ComputeDirection(double u, double sine) const;
-  /// Returns the sine of the latitude of the lower edge of a row.
-  double ComputeSineOfLatitude(int row) const;
   /// Returns the fraction of the sphere that a texel of a row covers.
   double ComputeTexelWeight(int row) const;
   /// Returns the mean over the sphere of the smaller of `limit` and the largest channel.
@@ -70,6 +68,7 @@ private:
   int Width;
   int Height;
   std::vector<glm::vec3> ClampedRadiances;
+  std::vector<double> SinesOfLatitude; ///< of the lower edges of the rows, and of the top
   glm::dvec3 Up;
   glm::dvec3 Right;
   glm::dvec3 Forward; ///< Right x Up

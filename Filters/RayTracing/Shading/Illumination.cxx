@@ -27,6 +27,11 @@ constexpr float Pi = glm::pi<float>();
 /// Lower bound of the cosine between a ray and the normal: rounding may make it 0.
 constexpr float MinimumCosine = 1e-6f;
 
+/// Under suns, the last ray of a path is traced with a probability of this gain times the ratio of the radiance that it
+/// may meet and that of the samples of suns and emitters at its start, and at least with the smallest one.
+constexpr float LastRayGain = 2.f;
+constexpr float SmallestLastRayProbability = 0.125f;
+
 /// Number of rays that are traced together.
 constexpr std::size_t PacketSize = 16;
 
@@ -121,15 +126,21 @@ void Illumination::FindSourceRadiance(double emitted)
   const EnvironmentMap* map = this->Settings.Map.get();
   const double color = MaximumComponent(glm::vec3(this->Settings.Environment));
   const double mean = std::max(emitted, map ? map->GetMeanRadiance() : color);
-  double largest = std::max(EmitterThreshold * emitted, map ? map->GetLargestRadiance() : color);
-  if (map && this->Settings.Bounces > 1)
-  {
-    largest = std::max(largest, this->Settings.Albedo * map->GetSunIrradiance() / Pi);
-  }
+  double largest = EmitterThreshold * emitted;
   for (const Light& light : this->Rays.GetScene().Lights)
   {
     largest = std::max(largest, double(MaximumComponent(light.DiffuseColor)));
   }
+  if (map && map->HasSuns())
+  {
+    const double sky = map->GetMeanRadiance() - map->GetSunIrradiance() / (4.0 * Pi);
+    this->LastRadiance = static_cast<float>(std::max(largest, sky));
+  }
+  if (map && this->Settings.Bounces > 1)
+  {
+    largest = std::max(largest, this->Settings.Albedo * map->GetSunIrradiance() / Pi);
+  }
+  largest = std::max(largest, map ? map->GetLargestRadiance() : color);
   const auto orOne = [](double value) { return value > 0.0 && std::isfinite(value) ? value : 1.0; };
   this->Sources = { orOne(mean), orOne(largest) };
 }
@@ -414,10 +425,22 @@ glm::vec3 Illumination::TracePath(glm::vec3 point, const SurfaceNormals& normals
   const float v = NextFloat(random);
   const Ray ray = SpawnRay(point, normals,
     FrameFromNormal(normals.Shading) * DiskToHemisphere(SampleUniformDiskConcentric(u, v)));
-  ++rays;
   const glm::vec3 sampled = this->SampleLights(point, normals, random, rays);
+  float probability = 1.f;
+  if (this->HasSuns() && bounces <= 1)
+  {
+    const float light = MaximumComponent(sampled);
+    const float wanted = LastRayGain * this->LastRadiance;
+    probability = wanted < light ? std::max(wanted / light, SmallestLastRayProbability) : 1.f;
+    if (NextFloat(random) >= probability)
+    {
+      return sampled;
+    }
+  }
+  ++rays;
   return sampled +
-    this->FollowPath(ray, this->Rays.Intersect(ray), normals.Shading, bounces, random, rays);
+    this->FollowPath(ray, this->Rays.Intersect(ray), normals.Shading, bounces, random, rays) /
+    probability;
 }
 
 glm::vec3 Illumination::FollowPath(const Ray& ray, const Hit& hit, glm::vec3 normal, int bounces,

@@ -61,8 +61,7 @@ public:
   glm::vec3 IncidentRadiance(Ray ray, Hit hit, glm::vec3 normal,
     const IrradianceFunction& irradiance, long long& rays) const;
 
-  /// Contribution to the mean over the hemisphere that IncidentRadiance() excludes, and its standard
-  /// error.
+  /// Contribution to the mean over the hemisphere that IncidentRadiance() excludes, and its standard error.
   struct SampledLight
   {
     glm::vec3 Mean{ 0.f };
@@ -85,7 +84,7 @@ public:
     glm::vec3 point, const SurfaceNormals& normals, std::uint32_t& random, long long& rays) const;
 
   /// Returns an unbiased estimate, from one path, of the mean incident radiance with at most `bounces` - 1
-  /// reflections, including suns and sampled emitters.
+  /// reflections, including suns and sampled emitters. Under suns, its last ray is traced at random.
   glm::vec3 TracePath(glm::vec3 point, const SurfaceNormals& normals, int bounces,
     std::uint32_t& random, long long& rays) const;
 
@@ -144,6 +143,7 @@ private:
   std::vector<Emitter> Emitters;
   std::shared_ptr<const EmitterTree> SampledEmitters; ///< null if there are none
   SourceRadiance Sources;
+  float LastRadiance = 0.f; ///< which the last rays of paths may meet, under suns
 };
 
 }

@@ -273,6 +273,45 @@ TEST(vtkPenumbraEnvironment, CastsShadowsFromSun)
     .99 * ComputeSunIrradiance() * std::sin(SunLatitude));
 }
 
+/// Above a large white floor, a point that faces it gets what the floor reflects. Few of the last rays of paths, from
+/// the floor to the sky, are traced.
+TEST(vtkPenumbraEnvironment, LightsPathsByTheSkyBesideABrightSun)
+{
+  constexpr int SunRow = 24;
+  constexpr double SunRadiance = 2e4;
+  vtkNew<vtkPenumbraEnvironment> environment;
+  environment->SetImage(MakeImage(64, 32, [](double longitude, double latitude) {
+    const bool isSun = static_cast<int>((latitude / Pi + .5) * 32.0) == SunRow &&
+      static_cast<int>((longitude / (2.0 * Pi) + .5) * 64.0) == 0;
+    return isSun ? glm::dvec3(SunRadiance, 1.0, 1.0) : glm::dvec3(1.0);
+  }));
+  environment->SetUp(0.0, 0.0, 1.0);
+  IlluminationSettings settings;
+  settings.Map = environment->GetMap();
+  settings.Albedo = .5f;
+  settings.Bounces = 2;
+  Scene scene;
+  AddRectangle(scene, { -1e3f, -1e3f, 0.f }, { 2e3f, 0.f, 0.f }, { 0.f, 2e3f, 0.f });
+  const RayScene rays(scene, 1);
+  const Illumination light(rays, settings);
+  constexpr int Paths = 40000;
+  std::uint32_t random = 1;
+  long long traced = 0;
+  glm::dvec3 sum(0.0);
+  for (int i = 0; i < Paths; ++i)
+  {
+    sum +=
+      glm::dvec3(light.TracePath({ 0.f, 0.f, 1.f }, glm::vec3(0.f, 0.f, -1.f), 2, random, traced));
+  }
+  const double low = -std::cos(Pi * SunRow / 32.0);
+  const double high = -std::cos(Pi * (SunRow + 1) / 32.0);
+  const double sun = (SunRadiance - 1.0) / 64.0 * (high * high - low * low);
+  EXPECT_GT(sun, 16.0);
+  EXPECT_NEAR(sum.x / Paths, .5 * (1.0 + sun), .01 * sun);
+  EXPECT_NEAR(sum.y / Paths, .5, .5 * 4.0 * std::sqrt(7.0 / Paths));
+  EXPECT_LT(traced, 2.2 * Paths);
+}
+
 /// Lights points below edges. Returns how many are partly shadowed, and how many of them have a wrong value and
 /// estimate. `width`: of the row of points below each edge. `wire`: width of the occluder; 0: a half-plane.
 std::array<int, 2> CountShadowEdges(const SkyFunction& sky, float width, float wire = 0.f)
