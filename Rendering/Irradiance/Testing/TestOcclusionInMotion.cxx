@@ -92,6 +92,13 @@ void Orbit(OcclusionScene& scene, vtkActor*, vtkPolyData*, int)
   scene.Renderer->ResetCameraClippingRange();
 }
 
+/// Slowly enough that kernels keep their history.
+void OrbitSlowly(OcclusionScene& scene, vtkActor*, vtkPolyData*, int)
+{
+  scene.Renderer->GetActiveCamera()->Azimuth(2.0);
+  scene.Renderer->ResetCameraClippingRange();
+}
+
 /// The camera passes spheres closely. In each frame, texels at their outlines spread over many pixels.
 void PassSpheres(OcclusionScene& scene, vtkActor* actor, vtkPolyData*, int frame)
 {
@@ -239,6 +246,7 @@ INSTANTIATE_TEST_SUITE_P(All, OcclusionInMotion,
   ::testing::Values(Motion{ "Turn", "march", 0.003, 0.012, Turn },
     Motion{ "Dolly", "march", 0.004, 0.015, Dolly },
     Motion{ "Orbit", "march", 0.001, 0.011, Orbit },
+    Motion{ "SlowOrbit", "march", 0.004, 0.018, OrbitSlowly },
     Motion{ "PassingSpheres", "march", 0.004, 0.025, PassSpheres },
     Motion{ "JumpBack", "march", 0.004, 0.018, JumpBack },
     Motion{ "WiderWindow", "march", 0.002, 0.016, WidenWindow },

@@ -159,7 +159,7 @@ void main()
   float weight = min(reprojected.g, weightCap);
   // Pixels share the samples of a texel that covers several of them.
   weight *= clamp(historyTexelsPerPixel(point, before, areaBefore), 0.0, 1.0);
-  weight *= historyInsideImage(point, before);
+  weight *= reprojected.g > 0.0 ? historyInsideImage(point, before) : 0.0;
   weight = min(weight, historyWeightLimit(point, before));
   // Samples are spent where history is short: at disoccluded pixels and next to moved surfaces.
   int historyLength = weight < settledHistoryWeight ? growingHistory : settledHistory;
