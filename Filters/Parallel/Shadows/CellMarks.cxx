@@ -66,25 +66,6 @@ void CellMarks::MarkCells(const Range& range)
   }
 }
 
-bool CellMarks::Meet(const AxisAlignedBox& box) const
-{
-  const Range range = this->GetCells(box);
-  if (range.IsEmpty())
-  {
-    return false;
-  }
-  const Row bits = range.GetBits();
-  bool isMarked = false;
-  for (int z = range.Low.z; z <= range.High.z && !isMarked; ++z)
-  {
-    for (int y = range.Low.y; y <= range.High.y && !isMarked; ++y)
-    {
-      isMarked = (this->Rows[GetIndex(y, z)] & bits) != 0;
-    }
-  }
-  return isMarked;
-}
-
 std::string CellMarks::Write() const
 {
   std::string bits(this->Rows.size() * sizeof(Row), '\0');

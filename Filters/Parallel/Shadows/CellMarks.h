@@ -38,9 +38,6 @@ public:
   /// finite position, no direction, or a wide angle.
   void MarkToward(const Light& light, const CellMarks& from);
 
-  /// Returns true if the box may have a part in a marked cell.
-  bool Meet(const AxisAlignedBox& box) const;
-
   bool IsMarked(std::size_t cell) const
   {
     return (this->Rows[cell / Side] >> cell % Side & 1) != 0;

@@ -20,7 +20,7 @@ public:
   /// `marks` are what CellMarks::Write() of each rank has written, with these bounds.
   RankCells(const AxisAlignedBox& bounds, const std::vector<std::string>& marks);
 
-  /// Calls visit(rank), in ascending order, for the ranks whose marks meet the box, see CellMarks::Meet().
+  /// Calls visit(rank), in ascending order, for the ranks that have marked a cell of the box.
   template <typename Visit>
   void VisitRanks(const AxisAlignedBox& box, const Visit& visit) const;
 

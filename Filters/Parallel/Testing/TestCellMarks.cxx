@@ -52,6 +52,19 @@ private:
   std::mt19937 Engine{ 7 };
 };
 
+/// Returns true if the box may have a part in a marked cell.
+bool Meet(const CellMarks& marks, const AxisAlignedBox& box)
+{
+  bool isMarked = false;
+  marks.VisitRows(box, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t cell = first; cell < last; ++cell)
+    {
+      isMarked = isMarked || marks.IsMarked(cell);
+    }
+  });
+  return isMarked;
+}
+
 AxisAlignedBox MakePoint(glm::vec3 point)
 {
   return { point, point };
@@ -139,7 +152,7 @@ TEST(CellMarks, MeetWhatIsBetweenBoxesAndLights)
         const glm::vec3 between(from + most * numbers.Get(0.f, 1.f) * toLight);
         if (Contains(Bounds, between))
         {
-          ASSERT_TRUE(needed.Meet(MakePoint(between)))
+          ASSERT_TRUE(Meet(needed, MakePoint(between)))
             << between.x << " " << between.y << " " << between.z;
         }
       }
@@ -156,29 +169,29 @@ TEST(CellMarks, DoNotMeetWhatIsFarFromRays)
   const glm::vec3 beyondTheLight(1.f, 4.f, 16.f);
   CellMarks toward(Bounds);
   toward.MarkToward(MakeDirectional({ 0.f, 0.f, -1.f }), seen);
-  EXPECT_FALSE(toward.Meet(MakePoint(farAside)));
-  EXPECT_FALSE(toward.Meet(MakePoint(behind)));
-  EXPECT_TRUE(toward.Meet(MakePoint(beyondTheLight)));
+  EXPECT_FALSE(Meet(toward, MakePoint(farAside)));
+  EXPECT_FALSE(Meet(toward, MakePoint(behind)));
+  EXPECT_TRUE(Meet(toward, MakePoint(beyondTheLight)));
   CellMarks near(Bounds);
   near.MarkToward(MakePositional({ 1.f, 4.f, 14.f }), seen);
-  EXPECT_TRUE(near.Meet(MakePoint({ 1.f, 4.f, 13.f })));
-  EXPECT_FALSE(near.Meet(MakePoint(beyondTheLight)));
+  EXPECT_TRUE(Meet(near, MakePoint({ 1.f, 4.f, 13.f })));
+  EXPECT_FALSE(Meet(near, MakePoint(beyondTheLight)));
   Light sun = MakeDirectional({ 0.f, 0.f, -1.f });
   sun.AngularRadius = 0.1f;
   CellMarks cone(Bounds);
   cone.MarkToward(sun, seen);
-  EXPECT_TRUE(cone.Meet(MakePoint({ 1.7f, 4.f, 16.f })));
-  EXPECT_FALSE(cone.Meet(MakePoint({ 3.f, 4.f, 16.f })));
+  EXPECT_TRUE(Meet(cone, MakePoint({ 1.7f, 4.f, 16.f })));
+  EXPECT_FALSE(Meet(cone, MakePoint({ 3.f, 4.f, 16.f })));
   Light bulb = MakePositional({ 1.f, 4.f, 14.f });
   bulb.Radius = 2.f; // not far, so that a box is marked
   CellMarks wide(Bounds);
   wide.MarkToward(bulb, seen);
-  EXPECT_TRUE(wide.Meet(MakePoint({ 2.9f, 4.f, 14.f })));
-  EXPECT_FALSE(wide.Meet(MakePoint({ 4.f, 4.f, 14.f })));
+  EXPECT_TRUE(Meet(wide, MakePoint({ 2.9f, 4.f, 14.f })));
+  EXPECT_FALSE(Meet(wide, MakePoint({ 4.f, 4.f, 14.f })));
   CellMarks inside(Bounds);
   inside.MarkToward(MakePositional({ 1.125f, 4.125f, 9.125f }), seen); // the center of a cell
-  EXPECT_TRUE(inside.Meet(MakePoint({ 1.f, 4.f, 9.f })));
-  EXPECT_FALSE(inside.Meet(MakePoint({ 1.f, 4.f, 10.f })));
+  EXPECT_TRUE(Meet(inside, MakePoint({ 1.f, 4.f, 9.f })));
+  EXPECT_FALSE(Meet(inside, MakePoint({ 1.f, 4.f, 10.f })));
 }
 
 TEST(CellMarks, MarkAllForLightsAtNoFinitePlace)
@@ -196,7 +209,7 @@ TEST(CellMarks, MarkAllForLightsAtNoFinitePlace)
     Numbers numbers;
     for (int i = 0; i < 1000; ++i)
     {
-      ASSERT_TRUE(needed.Meet(MakePoint(numbers.GetPoint(Bounds))));
+      ASSERT_TRUE(Meet(needed, MakePoint(numbers.GetPoint(Bounds))));
     }
   }
 }
@@ -206,9 +219,9 @@ TEST(CellMarks, TakeNotANumberAsTheBounds)
   const glm::vec3 nowhere(std::numeric_limits<float>::quiet_NaN());
   CellMarks marks(Bounds);
   marks.Mark({ nowhere, nowhere });
-  EXPECT_TRUE(marks.Meet(MakePoint(Bounds.Low)));
-  EXPECT_TRUE(marks.Meet(MakePoint(Bounds.High)));
-  EXPECT_TRUE(marks.Meet({ nowhere, nowhere }));
+  EXPECT_TRUE(Meet(marks, MakePoint(Bounds.Low)));
+  EXPECT_TRUE(Meet(marks, MakePoint(Bounds.High)));
+  EXPECT_TRUE(Meet(marks, { nowhere, nowhere }));
 }
 
 TEST(CellMarks, MeetTheSameAsAllCellsOfBoxes)
@@ -227,12 +240,12 @@ TEST(CellMarks, MeetTheSameAsAllCellsOfBoxes)
       marks.Mark(marked);
       CellMarks copy(Bounds);
       copy.Add(marks.Write());
-      EXPECT_EQ(copy.Meet(other), marks.Meet(other));
+      EXPECT_EQ(Meet(copy, other), Meet(marks, other));
       const glm::vec3 gap = glm::max(marked.Low - other.High, other.Low - marked.High);
       const float distance = std::max({ gap.x, gap.y, gap.z });
-      met += marks.Meet(other);
-      EXPECT_TRUE(marks.Meet(other) || distance > 0.f);
-      EXPECT_FALSE(marks.Meet(other) && distance > 1.3f * Cell);
+      met += Meet(marks, other);
+      EXPECT_TRUE(Meet(marks, other) || distance > 0.f);
+      EXPECT_FALSE(Meet(marks, other) && distance > 1.3f * Cell);
     }
     EXPECT_GT(met, 0);
     EXPECT_LT(met, Count);
@@ -260,7 +273,7 @@ TEST(RankCells, AreTheMarksOfAllRanks)
         std::vector<std::size_t> expected;
         for (std::size_t rank = 0; rank < ranks; ++rank)
         {
-          if (marks[rank].Meet(box))
+          if (Meet(marks[rank], box))
           {
             expected.push_back(rank);
           }
