@@ -10,7 +10,6 @@
 #include "vtkImageData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace

@@ -19,10 +19,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <cmath>
-#include <exception>
-#include <new>
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkPenumbraRayCaster);
 

@@ -5,7 +5,6 @@
 #include "vtkImageData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace penumbra

@@ -6,9 +6,7 @@
 #include "Surface.h"
 #include "Tiles/ScreenTriangle.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace penumbra
 {

@@ -9,7 +9,6 @@
 #include "Vectors.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 

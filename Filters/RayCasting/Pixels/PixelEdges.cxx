@@ -8,7 +8,6 @@
 #include "Surface.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace penumbra

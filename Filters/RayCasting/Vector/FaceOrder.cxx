@@ -3,7 +3,6 @@
 #include "FaceOrder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <queue>
 #include <utility>

@@ -14,7 +14,6 @@
 #include "Surface.h"
 #include "SurfaceGeometry.h"
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>

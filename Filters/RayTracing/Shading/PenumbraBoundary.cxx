@@ -9,7 +9,6 @@
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
-#include <utility>
 
 namespace penumbra
 {

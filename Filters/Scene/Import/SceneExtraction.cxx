@@ -36,7 +36,6 @@
 #include <cstddef>
 #include <cstring>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <utility>
 

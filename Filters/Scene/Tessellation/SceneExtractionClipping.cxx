@@ -5,7 +5,6 @@
 #include "Scene.h"
 #include "Surface.h"
 
-#include <cmath>
 #include <map>
 #include <utility>
 
