@@ -39,24 +39,29 @@ std::string Describe(const Range& range)
   return text.str();
 }
 
+bool ParseDecimal(const std::string& text, double& value)
+{
+  const char* begin = text.c_str() + (text[0] == '+' ? 1 : 0);
+  const char* end = text.c_str() + text.size();
+  const std::from_chars_result result = std::from_chars(begin, end, value);
+  return result.ec == std::errc() && result.ptr == end;
+}
+
 /// Parses a number or a fraction of two numbers.
 bool ParseNumber(std::string text, double& value)
 {
   const auto isSpace = [](unsigned char character) { return std::isspace(character) != 0; };
   text.erase(std::remove_if(text.begin(), text.end(), isSpace), text.end());
-  const std::size_t slash = text.rfind('/');
-  double divisor = 1.0;
-  if (slash != text.npos)
+  const std::size_t slash = text.find('/');
+  if (slash == text.npos)
   {
-    const bool valid = ParseNumber(text.substr(0, slash), value) &&
-      ParseNumber(text.substr(slash + 1), divisor) && divisor != 0.0;
-    value /= valid ? divisor : 1.0;
-    return valid;
+    return ParseDecimal(text, value);
   }
-  const char* begin = text.c_str() + (text[0] == '+' ? 1 : 0);
-  const char* end = text.c_str() + text.size();
-  const std::from_chars_result result = std::from_chars(begin, end, value);
-  return result.ec == std::errc() && result.ptr == end;
+  double divisor = 0.0;
+  const bool valid = ParseDecimal(text.substr(0, slash), value) &&
+    ParseDecimal(text.substr(slash + 1), divisor) && divisor != 0.0;
+  value /= valid ? divisor : 1.0;
+  return valid;
 }
 
 // Formats a default value with six significant digits.

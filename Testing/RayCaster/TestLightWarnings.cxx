@@ -174,7 +174,7 @@ TEST_F(MissingLight, OfLinesIsReportedOnlyIfAllAreUnlit)
 {
   const auto warns = [this] {
     this->Warns();
-    return this->Messages.find("lines and points without normals") != std::string::npos;
+    return this->Messages.find("no surface has lighting") != std::string::npos;
   };
   vtkNew<vtkLineSource> line;
   vtkProperty* property = this->Add(line);

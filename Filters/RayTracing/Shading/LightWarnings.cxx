@@ -209,9 +209,8 @@ std::string DescribeUnlitLines(const Scene& scene)
   };
   return !scene.Surfaces.empty() &&
       std::all_of(scene.Surfaces.begin(), scene.Surfaces.end(), isUnlit)
-    ? "Indirect light has no effect, because lines and points without normals have no lighting. "
-      "Set "
-      "LineRadius or PointRadius, or add normals."
+    ? "Indirect light has no effect, because no surface has lighting. Lines and points need "
+      "normals, LineRadius or PointRadius for it, and a property with lighting."
     : std::string();
 }
 
