@@ -105,48 +105,31 @@ std::vector<std::string> FindIgnoredOptions(const CommandLine& app, const BakeOp
   const bool occlusion = options.Quantity == "ambient-occlusion";
   const bool irradiance = options.Quantity == "irradiance";
   const bool direct = options.Quantity == "direct-light";
-  const auto hasLight = [&options](bool positional) {
-    return std::any_of(options.Lights.begin(), options.Lights.end(),
-      [positional](const std::array<double, 4>& at) { return (at[3] > 0.0) == positional; });
-  };
   const char* withoutOcclusion = "without --quantity ambient-occlusion";
   const char* withoutIrradiance = "without --quantity irradiance";
   const char* withoutDirect = "without --quantity direct-light";
-  // The first row that applies to an option counts.
-  const struct
-  {
-    const char* Option;
-    bool IsIgnored;
-    const char* Reason;
-  } rows[] = {
-    { "--radius", !occlusion, withoutOcclusion },
-    { "--falloff", !occlusion, withoutOcclusion },
-    { "--falloff", std::isinf(options.Radius), "with --radius inf" },
-    { "--environment-color", !irradiance, withoutIrradiance },
-    { "--environment-color", !options.EnvironmentFile.empty(), "with --hdri-file" },
-    { "--hdri-file", !irradiance, withoutIrradiance },
-    { "--hdri-up", !irradiance, withoutIrradiance },
-    { "--hdri-up", options.EnvironmentFile.empty(), "without --hdri-file" },
-    { "--albedo", !irradiance, withoutIrradiance },
-    { "--albedo", options.Bounces == 1, "with --bounces 1" },
-    { "--bounces", !irradiance, withoutIrradiance },
-    { "--light-position", !direct, withoutDirect },
-    { "--light-radius", !direct, withoutDirect },
-    { "--light-radius", !hasLight(true), "without a positional --light-position" },
-    { "--light-angle", !direct, withoutDirect },
-    { "--light-angle", !hasLight(false), "without a directional --light-position (w = 0)" },
-    { "--gatherer", direct, "with --quantity direct-light" },
-  };
-  std::vector<std::string> warnings;
-  std::set<std::string> found;
-  for (const auto& row : rows)
-  {
-    if (row.IsIgnored && app.Count(row.Option) > 0 && found.insert(row.Option).second)
+  return DescribeIgnored(app,
     {
-      warnings.push_back(std::string(row.Option) + " has no effect " + row.Reason);
-    }
-  }
-  return warnings;
+      { "--radius", !occlusion, withoutOcclusion },
+      { "--falloff", !occlusion, withoutOcclusion },
+      { "--falloff", std::isinf(options.Radius), "with --radius inf" },
+      { "--environment-color", !irradiance, withoutIrradiance },
+      { "--environment-color", !options.EnvironmentFile.empty(), "with --hdri-file" },
+      { "--hdri-file", !irradiance, withoutIrradiance },
+      { "--hdri-up", !irradiance, withoutIrradiance },
+      { "--hdri-up", options.EnvironmentFile.empty(), "without --hdri-file" },
+      { "--albedo", !irradiance, withoutIrradiance },
+      { "--albedo", options.Bounces == 1, "with --bounces 1" },
+      { "--bounces", !irradiance, withoutIrradiance },
+      { "--light-position", !direct, withoutDirect },
+      { "--light-radius", !direct, withoutDirect },
+      { "--light-radius", !HasLight(options.Lights, true),
+        "without a positional --light-position" },
+      { "--light-angle", !direct, withoutDirect },
+      { "--light-angle", !HasLight(options.Lights, false),
+        "without a directional --light-position (w = 0)" },
+      { "--gatherer", direct, "with --quantity direct-light" },
+    });
 }
 
 /// Adds the names of arrays that `from` has and `to` has not.
@@ -380,16 +363,12 @@ int Bake(const BakeOptions& options, std::vector<std::string> warnings, Clock::t
 
 void DeclareBakeOptions(const CommandLine& app, BakeOptions& options)
 {
-  app.AddText("FILE", options.File, "Mesh; `penumbra list` prints the formats")
-    .Required()
-    .TypeName("");
+  app.AddText("FILE", options.File, "", "Mesh; `penumbra list` prints the formats").Required();
   app
-    .AddText("--output", options.Output,
+    .AddText("--output", options.Output, "MESH",
       "Mesh with the array: .vtp .vtu .vtk; .ply: vertex colors, 1 - occlusion, E / pi or direct "
       "light, clamped to 1")
-    .Required()
-    .TypeName("MESH")
-    .TakeLast();
+    .Required();
   AddChoice(app, "--quantity", options.Quantity,
     { "ambient-occlusion", "irradiance", "direct-light" },
     "Array AmbientOcclusion (occluded fraction of the hemisphere), Irradiance (direct and "
@@ -401,7 +380,7 @@ void DeclareBakeOptions(const CommandLine& app, BakeOptions& options)
   AddFalloffOption(app, "--falloff", options.Falloff);
   AddTriple(app, "--environment-color", options.EnvironmentColor,
     "irradiance: radiance of rays that hit nothing; default: 1,1,1", { 0.0, 1e6 });
-  AddEnvironmentOptions(app, options.EnvironmentFile, options.EnvironmentUp, "");
+  AddEnvironmentOptions(app, options.EnvironmentFile, options.EnvironmentUp);
   AddNumber(app, "--albedo", options.Albedo, "A",
     "irradiance: fraction of light that the surface reflects", { 0.0, 1.0 });
   AddInteger(app, "--bounces", options.Bounces,
@@ -422,11 +401,8 @@ void DeclareBakeOptions(const CommandLine& app, BakeOptions& options)
   AddNumber(app, "--line-radius", options.LineRadius, "R",
     "Radius of tubes along the lines of the mesh, which occlude", { 0.0, 1e30, true })
     .Default("");
-  app
-    .AddText("--opacity-array", options.OpacityArray,
-      "Point array with the opacity of the mesh, in [0, 1]; default: opaque")
-    .TypeName("NAME")
-    .TakeLast();
+  app.AddText("--opacity-array", options.OpacityArray, "NAME",
+    "Point array with the opacity of the mesh, in [0, 1]; default: opaque");
   AddInteger(app, "--threads", options.Threads,
     "Number of threads, 0: all; the values do not depend on it", 0, 1024);
   AddStatisticsOption(app, options.Statistics,

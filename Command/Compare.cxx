@@ -185,15 +185,10 @@ Action DeclareCompare(const CommandLine& program)
     "of the pixels differ by more than 4/255, and at most 1/32 of any 16x16 pixels; 1/16 suits "
     "OpenGL images",
     { 0.0, 1.0 });
-  app.AddText("--mask", options->Mask, "Image of the same size; black pixels are ignored")
-    .TypeName("PATH")
-    .TakeLast();
-  app
-    .AddText("--difference", options->Difference,
-      "Write an image of the differences; 8-bit formats are scaled so that the largest difference "
-      "is white")
-    .TypeName("PATH")
-    .TakeLast();
+  app.AddText("--mask", options->Mask, "PATH", "Image of the same size; black pixels are ignored");
+  app.AddText("--difference", options->Difference, "PATH",
+    "Write an image of the differences; 8-bit formats are scaled so that the largest difference "
+    "is white");
   AddReadLimitOption(app);
   app.AddFlag("--json", options->Json, "Print all metrics as JSON");
   return [options]() {

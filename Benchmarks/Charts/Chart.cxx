@@ -233,12 +233,10 @@ Action DeclareChart(const CommandLine& program)
     program.AddSubcommand("chart", "Measure speed against accuracy of every method, and draw it");
   app.AddTexts("FILE", options->Files, "Meshes; default: built-in scenes").TypeName("");
   app
-    .AddText("--output", options->Output,
+    .AddText("--output", options->Output, "DIR",
       "Folder for one .csv, .png and .svg per family; rows that it already contains are not "
       "measured again")
-    .Required()
-    .TypeName("DIR")
-    .TakeLast();
+    .Required();
   AddChoice(app, "--family", options->Family, { "ao", "aa", "irradiance", "shafts", "all" },
     "ao: ambient occlusion; aa: antialiasing; irradiance: the cache; shafts: light shafts");
   app.AddFlag("--quick", options->Quick, "Small images and few settings: seconds per family");

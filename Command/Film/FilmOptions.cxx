@@ -7,7 +7,6 @@
 #include "Processes/CommandError.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <sstream>
 
@@ -17,22 +16,13 @@ namespace penumbra
 namespace
 {
 
-int ParseFrame(const std::string& option, const std::string& text, double minimum)
-{
-  const double number = ParseNumbers(option, text, 1, 1, { minimum, MaximumFrames })[0];
-  if (number != std::floor(number))
-  {
-    throw InvalidValue(option, "'" + text + "' is not an integer");
-  }
-  return static_cast<int>(number);
-}
-
 // Parses "A" or "A:B".
 FrameRange ParseFrames(const std::string& option, const std::string& text)
 {
   const std::size_t colon = text.find(':');
-  const int first = ParseFrame(option, text.substr(0, colon), 0.0);
-  const int last = colon == text.npos ? first : ParseFrame(option, text.substr(colon + 1), 0.0);
+  const int first = ParseInteger(option, text.substr(0, colon), 0, MaximumFrames);
+  const int last =
+    colon == text.npos ? first : ParseInteger(option, text.substr(colon + 1), 0, MaximumFrames);
   if (last < first)
   {
     throw InvalidValue(option, "'" + text + "' begins after its end");
@@ -42,12 +32,13 @@ FrameRange ParseFrames(const std::string& option, const std::string& text)
 
 void DeclareFrames(const CommandLine& app, FilmOptions& options)
 {
+  app.SetGroup("Motion");
   const auto storeFrames = [&options](const std::vector<std::string>& texts) {
     for (const std::string& text : texts)
     {
       if (text.find(':') == text.npos)
       {
-        options.Frames = ParseFrame("--frames", text, 1.0);
+        options.Frames = ParseInteger("--frames", text, 1, MaximumFrames);
       }
       else
       {
@@ -59,9 +50,7 @@ void DeclareFrames(const CommandLine& app, FilmOptions& options)
     .AddRepeatable("--frames", storeFrames,
       "N: number of images of the film, default: one per time step, else 60; A:B: render only the "
       "images A to B of the film; both may be given")
-    .TypeName("N|A:B")
-
-    .Group("Motion");
+    .TypeName("N|A:B");
   const auto storeList = [&options](const std::string& text) {
     options.Part.clear();
     std::istringstream items(text + ",");
@@ -71,9 +60,7 @@ void DeclareFrames(const CommandLine& app, FilmOptions& options)
     }
   };
   app.AddParsed("--frame-list", storeList, "Render only these images of the film")
-    .TypeName("N,A:B,...")
-    .TakeLast()
-    .Group("Motion");
+    .TypeName("N,A:B,...");
 }
 
 void DeclareMovements(const CommandLine& app, FilmOptions& options)
@@ -86,19 +73,17 @@ void DeclareMovements(const CommandLine& app, FilmOptions& options)
       {
         throw InvalidValue("--move", "'" + text + "' is not of the form N:X,Y,Z");
       }
-      const double file = ParseNumbers("--move", text.substr(0, colon), 1, 1, { 1.0, 1e6 })[0];
+      const int file = ParseInteger("--move", text.substr(0, colon), 1, 1000000);
       const std::vector<double> displacement =
         ParseNumbers("--move", text.substr(colon + 1), 3, 3, { -1e100, 1e100 });
       options.Movements.push_back(
-        { static_cast<int>(file) - 1, { displacement[0], displacement[1], displacement[2] } });
+        { file - 1, { displacement[0], displacement[1], displacement[2] } });
     }
   };
   app
     .AddRepeatable("--move", store,
       "Move file number N (1: the first) by X,Y,Z in world units over the animation; repeatable")
-    .TypeName("N:X,Y,Z")
-
-    .Group("Motion");
+    .TypeName("N:X,Y,Z");
 }
 
 // Returns all options as text, except paths and the options that do not affect an image.
@@ -153,31 +138,18 @@ void DeclareFilmOptions(const CommandLine& app, FilmOptions& options)
   AddNumber(app, "--orbit", options.Orbit, "DEG",
     "Rotate the camera around the focal point to the right; default: 360 if nothing else moves",
     { -1e6, 1e6 })
-    .Default("")
-    .Group("Motion");
+    .Default("");
   DeclareMovements(app, options);
-  app
-    .AddFlag("--time-series", options.TimeSeries,
-      "Each file is one time step; camera and colors are those of the first")
-    .Group("Motion");
-  app
-    .AddFlag("--resume", options.Resume,
-      "Keep existing images that were made from the same files with the same options (.png)")
-    .Group("Output");
-  app
-    .AddText("--prepare", options.Prepare,
-      "Render nothing; write the defaults that depend on the data to this file, for --defaults")
-    .TypeName("FILE.json")
-    .TakeLast()
-    .Group("Output");
-  app
-    .AddText("--defaults", options.Defaults,
-      "Use the defaults that the same command wrote with --prepare, so that several processes "
-      "share "
-      "one film")
-    .TypeName("FILE.json")
-    .TakeLast()
-    .Group("Output");
+  app.AddFlag("--time-series", options.TimeSeries,
+    "Each file is one time step; camera and colors are those of the first");
+  app.SetGroup("Output");
+  app.AddFlag("--resume", options.Resume,
+    "Keep existing images that were made from the same files with the same options (.png)");
+  app.AddText("--prepare", options.Prepare, "FILE.json",
+    "Render nothing; write the defaults that depend on the data to this file, for --defaults");
+  app.AddText("--defaults", options.Defaults, "FILE.json",
+    "Use the defaults that the same command wrote with --prepare, so that several processes share "
+    "one film");
   app.Get("--output")
     .Description(
       "Images: .png .jpg .jpeg .tif .tiff .bmp (8 bits per channel), .vti, or vector "

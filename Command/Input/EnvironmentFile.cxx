@@ -76,22 +76,13 @@ vtkSmartPointer<vtkPenumbraEnvironment> ReadEnvironment(
   return environment;
 }
 
-void AddEnvironmentOptions(
-  const CommandLine& app, std::string& path, std::optional<Vector3>& up, const std::string& group)
+void AddEnvironmentOptions(const CommandLine& app, std::string& path, std::optional<Vector3>& up)
 {
-  Option file = app
-                  .AddText("--hdri-file", path,
-                    "Environment image in latitude-longitude layout: .hdr, or an image "
-                    "format of --output; replaces --environment-color")
-                  .TypeName("FILE")
-                  .TakeLast();
-  Option direction = AddDirection(
+  app.AddText("--hdri-file", path, "FILE",
+    "Environment image in latitude-longitude layout: .hdr, or an image "
+    "format of --output; replaces --environment-color");
+  AddDirection(
     app, "--hdri-up", up, "Direction of the upper edge of the environment image; default: 0,1,0");
-  if (!group.empty())
-  {
-    file.Group(group);
-    direction.Group(group);
-  }
 }
 
 }

@@ -22,9 +22,8 @@ namespace penumbra
 vtkSmartPointer<vtkPenumbraEnvironment> ReadEnvironment(
   const std::string& path, const std::optional<Vector3>& up);
 
-/// Adds --hdri-file and --hdri-up. `group`: group in the help, or empty.
-void AddEnvironmentOptions(
-  const CommandLine& app, std::string& path, std::optional<Vector3>& up, const std::string& group);
+/// Adds --hdri-file and --hdri-up.
+void AddEnvironmentOptions(const CommandLine& app, std::string& path, std::optional<Vector3>& up);
 
 }
 #endif

@@ -27,7 +27,7 @@ void AddPlane(const CommandLine& app, const std::string& name, Cut::Kinds kind,
     }
     cuts.push_back(cut);
   };
-  app.AddOrdered(name, store, description).TypeName("X,Y,Z,NX,NY,NZ").Group("Cuts");
+  app.AddOrdered(name, store, description).TypeName("X,Y,Z,NX,NY,NZ");
 }
 
 void AddValues(const CommandLine& app, const std::string& name, Cut::Kinds kind,
@@ -50,13 +50,14 @@ void AddValues(const CommandLine& app, const std::string& name, Cut::Kinds kind,
     }
     cuts.push_back(cut);
   };
-  app.AddOrdered(name, store, description).TypeName(unit).Group("Cuts");
+  app.AddOrdered(name, store, description).TypeName(unit);
 }
 
 }
 
 void DeclareCutOptions(const CommandLine& app, std::vector<Cut>& cuts)
 {
+  app.SetGroup("Cuts");
   AddPlane(app, "--slice", Cut::Kinds::Slice, cuts,
     "Show a cross-section: point and normal of its plane; repeatable, as all cuts, which are "
     "applied "

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace penumbra
 {
@@ -108,27 +107,10 @@ void CheckRenderOptions(const CommandLine& app, const RenderOptions& options)
     throw CommandError(BadInput,
       "--resolution: the image needs more memory than the machine has; choose a smaller one");
   }
-  const Vector3& up = options.Camera.ViewUp.value_or(Vector3{ 0, 1, 0 });
-  if (std::hypot(up[0], up[1], up[2]) == 0.0)
-  {
-    throw CommandError(
-      BadInput, "--camera-view-up: 0,0,0 is not a direction; give a nonzero vector");
-  }
-  const Vector3& direction = options.Camera.Direction.value_or(Vector3{ 0, 0, -1 });
-  if (std::hypot(direction[0], direction[1], direction[2]) == 0.0)
-  {
-    throw CommandError(
-      BadInput, "--camera-direction: 0,0,0 is not a direction; give a nonzero vector");
-  }
   if (options.Camera.Position && options.Camera.Position == options.Camera.FocalPoint)
   {
     throw CommandError(
       BadInput, "--camera-focal-point must differ from --camera-position; move one of them");
-  }
-  const Vector3& upwards = options.Light.EnvironmentUp.value_or(Vector3{ 0, 1, 0 });
-  if (std::hypot(upwards[0], upwards[1], upwards[2]) == 0.0)
-  {
-    throw CommandError(BadInput, "--hdri-up: 0,0,0 is not a direction; give a nonzero vector");
   }
   RequireLightPositions(options.Lights);
   if (options.Camera.Index >= 0 && !options.Materials)
@@ -151,9 +133,7 @@ std::vector<std::string> FindIgnoredOptions(const CommandLine& app, const Render
   const auto hasLight = [&](bool positional) {
     return options.Lighting &&
       (mayHaveLights || (hasLook && !positional && options.Lights.empty()) ||
-        std::any_of(options.Lights.begin(), options.Lights.end(),
-          [positional](
-            const std::array<double, 4>& light) { return (light[3] > 0.0) == positional; }));
+        HasLight(options.Lights, positional));
   };
   const bool hasArea = ray && (options.LightRadius > 0.0 || options.LightAngle > 0.0);
   const bool bar = options.Coloring.ScalarBar;
@@ -161,18 +141,11 @@ std::vector<std::string> FindIgnoredOptions(const CommandLine& app, const Render
   const bool usesCells = options.Coloring.Enabled || !options.Cuts.empty();
   const char* const withoutColoring = "without --scalar-coloring";
   const char* const withoutBar = "without --coloring-scalar-bar";
-  struct Row
-  {
-    const char* Option;
-    bool IsIgnored;
-    const char* Reason;
-  };
-  std::vector<Row> rows;
+  std::vector<IgnoredOption> rows;
   for (const std::string& name : ShaftOptions::GetNames())
   {
     rows.push_back({ name.c_str(), !options.Shafts.Enabled, "without --light-shafts" });
   }
-  // The first row that applies to an option counts.
   rows.insert(rows.end(),
     {
       { "--tolerance", !ray && !options.AmbientOcclusion && !options.Shafts.Enabled,
@@ -250,16 +223,7 @@ std::vector<std::string> FindIgnoredOptions(const CommandLine& app, const Render
       { "--scalar-bar-labels", !bar, withoutBar },
       { "--scalar-bar-format", !bar, withoutBar },
     });
-  std::vector<std::string> warnings;
-  std::set<std::string> found;
-  for (const Row& row : rows)
-  {
-    if (row.IsIgnored && app.Count(row.Option) > 0 && found.insert(row.Option).second)
-    {
-      warnings.push_back(std::string(row.Option) + " has no effect " + row.Reason);
-    }
-  }
-  return warnings;
+  return DescribeIgnored(app, rows);
 }
 
 }

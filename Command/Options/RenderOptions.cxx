@@ -30,14 +30,12 @@ void DeclareOutput(const CommandLine& app, RenderOptions& options)
   app.AddTexts("FILE", options.Files, "Meshes to render; `penumbra list` prints the formats")
     .Required()
     .TypeName("");
+  app.SetGroup("Output");
   app
-    .AddText("--output", options.Output,
+    .AddText("--output", options.Output, "PATH",
       "Image: .png .jpg .jpeg .tif .tiff .bmp (8 bits per channel), .vti (floats, depth, "
       "normals, ids), or vector graphics: .svg .pdf (ray); {name} renders one image per file")
-    .Required()
-    .TypeName("PATH")
-    .TakeLast()
-    .Group("Output");
+    .Required();
   const auto storeResolution = [&options](const std::string& text) {
     const Range sides{ 1.0, 65535.0 };
     const std::vector<double> numbers = ParseNumbers("--resolution", text, 2, 2, sides);
@@ -49,64 +47,49 @@ void DeclareOutput(const CommandLine& app, RenderOptions& options)
   };
   app.AddParsed("--resolution", storeResolution, "Width and height in pixels")
     .TypeName("W,H")
-    .Default("1000,600")
-    .Group("Output");
+    .Default("1000,600");
   AddInteger(app, "--dpi", options.DotsPerInch,
-    "Dots per inch, stored in the file; widths are in points of 1/72 inch", 1, 9600)
-    .Group("Output");
+    "Dots per inch, stored in the file; widths are in points of 1/72 inch", 1, 9600);
   AddStatisticsOption(app, options.Statistics,
-    "Write ray counts, estimated error, times and memory to this file; {name} as in --output")
-    .Group("Output");
-  app
-    .AddText(ConfigurationOption, options.Configuration,
-      "JSON file with options by their long names; the command line has precedence")
-    .TypeName("FILE")
-    .TakeLast()
-    .Group("Output");
-  AddProgressOption(app, options.Progress).Group("Output");
-  AddInteger(
-    app, "--jobs", options.Jobs, "Number of images rendered at the same time, with {name}", 1, 1024)
-    .Group("Output");
+    "Write ray counts, estimated error, times and memory to this file; {name} as in --output");
+  app.AddText(ConfigurationOption, options.Configuration, "FILE",
+    "JSON file with options by their long names; the command line has precedence");
+  AddProgressOption(app, options.Progress);
+  AddInteger(app, "--jobs", options.Jobs, "Number of images rendered at the same time, with {name}",
+    1, 1024);
 }
 
 void DeclareEngine(const CommandLine& app, RenderOptions& options)
 {
+  app.SetGroup("Engine");
   AddChoice(app, "--engine", options.Engine, { "ray", "raster" },
-    "ray: ray caster, needs neither a display nor OpenGL; raster: VTK's OpenGL renderer")
-    .Group("Engine");
+    "ray: ray caster, needs neither a display nor OpenGL; raster: VTK's OpenGL renderer");
   AddNumber(app, "--tolerance", options.Tolerance, "X",
     "Accepted RMSE of any 16x16 pixels, for colors in [0, 1]; raster: of --ambient-occlusion, "
     "default 0.01",
     { 1e-6, 1.0 })
-    .Each([&options](const std::string&) { options.HasTolerance = true; })
-    .Group("Engine");
+    .Each([&options](const std::string&) { options.HasTolerance = true; });
   AddNumber(app, "--light-tolerance", options.LightTolerance, "Y",
     "The same for what occlusion, indirect light, penumbrae and shafts add; 0: 2.56 X; raster: "
     "instead of --tolerance",
-    { 0.0, 1.0 })
-    .Group("Engine");
+    { 0.0, 1.0 });
   AddNumber(app, "--time-limit", options.TimeLimit, "SECONDS",
     "Longest time for an image, which is then the best one so far (ray); 0: no limit",
-    { 0.0, Infinity, false, true })
-    .Group("Engine");
+    { 0.0, Infinity, false, true });
   AddInteger(app, "--max-level", options.MaximumLevel,
-    "Deepest subdivision of a pixel (ray); subpixels have side 2^-N", 0, 6)
-    .Group("Engine");
-  app
-    .AddNegation("--no-small-objects", options.FindSmallObjects,
-      "Do not search for objects between the camera rays (ray)")
-    .Group("Engine");
+    "Deepest subdivision of a pixel (ray); subpixels have side 2^-N", 0, 6);
+  app.AddNegation("--no-small-objects", options.FindSmallObjects,
+    "Do not search for objects between the camera rays (ray)");
   AddInteger(app, "--threads", options.Threads,
-    "Number of threads, 0: all; the image does not depend on it", 0, 1024)
-    .Group("Engine");
-  AddReadLimitOption(app).Group("Engine");
+    "Number of threads, 0: all; the image does not depend on it", 0, 1024);
+  AddReadLimitOption(app);
   AddChoice(app, "--window,--rendering-backend", options.Window, { "osmesa", "egl", "x", "auto" },
-    "OpenGL window (raster); auto: the first that works")
-    .Group("Engine");
+    "OpenGL window (raster); auto: the first that works");
 }
 
 void DeclareCamera(const CommandLine& app, CameraOptions& camera)
 {
+  app.SetGroup("Camera");
   AddTriple(app, "--camera-position", camera.Position,
     "Position of the camera; default: fits the bounds", Coordinate);
   AddTriple(app, "--camera-focal-point", camera.FocalPoint,
@@ -114,8 +97,7 @@ void DeclareCamera(const CommandLine& app, CameraOptions& camera)
   AddDirection(app, "--camera-view-up", camera.ViewUp, "Up direction; default: 0,1,0");
   AddDirection(app, "--up", camera.SceneUp,
     "Up direction of the scene, seen from the front: --camera-view-up, --hdri-up, and a "
-    "--camera-direction that suits it")
-    .Group("Camera");
+    "--camera-direction that suits it");
   AddDirection(app, "--camera-direction", camera.Direction,
     "View direction, at a distance that fits the bounds; default: 0,0,-1; ignored with "
     "--camera-position");
@@ -135,93 +117,64 @@ void DeclareCamera(const CommandLine& app, CameraOptions& camera)
   AddInteger(app, "--camera-index", camera.Index,
     "Camera of a glTF or 3DS file, counted from 0; other options replace its settings; -1: none",
     -1, 1000000);
-  for (const Option& option : app.GetAll("--camera-"))
-  {
-    option.Group("Camera");
-  }
 }
 
 void DeclareAppearance(const CommandLine& app, RenderOptions& options)
 {
-  const std::string group = "Appearance";
+  app.SetGroup("Appearance");
   AddChoice(app, "--look", options.Look, LookNames(),
     "Background, lights, camera and effects that go together; other options replace its settings")
-    .TypeName("NAME")
-    .Group(group);
-  app
-    .AddNegation("--no-materials,--geometry-only", options.Materials,
-      "Read surfaces only: no materials, textures, lights and cameras of the files")
-    .Group(group);
+    .TypeName("NAME");
+  app.AddNegation("--no-materials,--geometry-only", options.Materials,
+    "Read surfaces only: no materials, textures, lights and cameras of the files");
   AddColor(app, "--color", options.Color,
-    "Color of the surfaces; default: that of their material, else 1,1,1")
-    .Group(group);
+    "Color of the surfaces; default: that of their material, else 1,1,1");
   AddNumber(app, "--opacity", options.Opacity, "A",
-    "Opacity of the surfaces; multiplied by that of their material", Unit)
-    .Group(group);
-  AddColor(app, "--background-color", options.BackgroundColor, "Background color; default: 0,0,0")
-    .Group(group);
-  app
-    .AddNegation("--no-background", options.Background,
-      "Transparent background: alpha is the coverage (not .jpg and .bmp)")
-    .Group(group);
-  app.AddNegation("--no-lighting,--unlit", options.Lighting, "Colors without shading").Group(group);
+    "Opacity of the surfaces; multiplied by that of their material", Unit);
+  AddColor(app, "--background-color", options.BackgroundColor, "Background color; default: 0,0,0");
+  app.AddNegation("--no-background", options.Background,
+    "Transparent background: alpha is the coverage (not .jpg and .bmp)");
+  app.AddNegation("--no-lighting,--unlit", options.Lighting, "Colors without shading");
   AddLightPositionOption(app, options.Lights,
     "Light that replaces the headlight and the lights of the files; w = 0: directional light from "
-    "that direction; repeatable")
-    .Group(group);
-  AddNumber(
-    app, "--light-intensity", options.LightIntensity, "I", "Intensity of every light", { 0.0, 1e6 })
-    .Group(group);
+    "that direction; repeatable");
+  AddNumber(app, "--light-intensity", options.LightIntensity, "I", "Intensity of every light",
+    { 0.0, 1e6 });
   AddNumber(app, "--feature-angle", options.FeatureAngle, "DEG",
     "Compute smooth normals; edges sharper than this angle stay sharp; default: the file's "
     "normals, else flat",
-    { 0.0, 180.0 })
-    .Group(group);
-  app.AddFlag("-e,--show-edges,--edges", options.ShowEdges, "Draw the cell edges").Group(group);
+    { 0.0, 180.0 });
+  app.AddFlag("-e,--show-edges,--edges", options.ShowEdges, "Draw the cell edges");
   AddChoice(app, "--representation", options.Representation, { "surface", "wireframe", "points" },
-    "Representation of the mesh")
-    .Group(group);
-  AddNumber(
-    app, "--line-width", options.LineWidth, "PT", "Width of lines and edges", { 0.0, 1000.0, true })
-    .Group(group);
-  AddNumber(app, "--point-size", options.PointSize, "PT", "Size of points", { 0.0, 1000.0, true })
-    .Group(group);
+    "Representation of the mesh");
+  AddNumber(app, "--line-width", options.LineWidth, "PT", "Width of lines and edges",
+    { 0.0, 1000.0, true });
+  AddNumber(app, "--point-size", options.PointSize, "PT", "Size of points", { 0.0, 1000.0, true });
   AddInteger(app, "--maximum-paths", options.MaximumPaths,
     "Most paths of surfaces in .svg and .pdf; above, and if triangles cannot show the scene, they "
     "are an image; 0: always an image",
-    0, 1000000)
-    .Group(group);
+    0, 1000000);
   AddNumber(app, "--outline-width", options.OutlineWidth, "PT",
-    "Draw visible silhouettes, boundaries and creases in .svg and .pdf, 0: none", { 0.0, 1000.0 })
-    .Group(group);
+    "Draw visible silhouettes, boundaries and creases in .svg and .pdf, 0: none", { 0.0, 1000.0 });
   AddNumber(app, "--point-radius", options.PointRadius, "R",
     "Draw points as spheres of this radius in world units (ray)", { 0.0, 1e30, true })
-    .Default("")
-    .Group(group);
+    .Default("");
   AddNumber(app, "--line-radius", options.LineRadius, "R",
     "Draw lines as tubes of this radius in world units, with round joints and ends (ray)",
     { 0.0, 1e30, true })
-    .Default("")
-    .Group(group);
+    .Default("");
 }
 
 void DeclareColoring(const CommandLine& app, ColoringOptions& coloring)
 {
-  const std::string group = "Coloring by data";
-  app.AddFlag("-s,--scalar-coloring", coloring.Enabled, "Color by an array of the file")
-    .Group(group);
-  app
-    .AddText("--coloring-array", coloring.Array,
-      "Name of the array; implies --scalar-coloring; default: the file's scalars, else its first "
-      "array")
-    .TypeName("NAME")
-    .TakeLast()
-    .Group(group);
+  app.SetGroup("Coloring by data");
+  app.AddFlag("-s,--scalar-coloring", coloring.Enabled, "Color by an array of the file");
+  app.AddText("--coloring-array", coloring.Array, "NAME",
+    "Name of the array; implies --scalar-coloring; default: the file's scalars, else its first "
+    "array");
   AddInteger(app, "--coloring-component,--comp", coloring.Component,
-    "Component of the array; -1: magnitude, -2: the values are colors", -2, 1000000)
-    .Group(group);
-  app.AddFlag("-y", coloring.ValuesAreColors, "The values are colors: --coloring-component -2")
-    .Group(group);
+    "Component of the array; -1: magnitude, -2: the values are colors", -2, 1000000);
+  app.AddFlag("-y", coloring.ValuesAreColors, "The values are colors: --coloring-component -2");
   const auto storeRange = [&coloring](const std::string& text) {
     coloring.RangeOfAllSteps = text == "all";
     coloring.Range.clear();
@@ -239,13 +192,9 @@ void DeclareColoring(const CommandLine& app, ColoringOptions& coloring)
     .AddParsed("--coloring-range,--range", storeRange,
       "Values mapped to the first and the last color; all: the data range over all time steps; "
       "default: the data range")
-    .TypeName("A,B|all")
-    .TakeLast()
-    .Group(group);
-  app
-    .AddFlag("-c,--coloring-by-cells,--cells", coloring.ByCells,
-      "Use a cell array instead of a point array")
-    .Group(group);
+    .TypeName("A,B|all");
+  app.AddFlag("-c,--coloring-by-cells,--cells", coloring.ByCells,
+    "Use a cell array instead of a point array");
   const auto storeColormap = [&coloring](const std::string& text) {
     coloring.Colormap = FindColormap(text);
     coloring.HasColormap = true;
@@ -255,43 +204,31 @@ void DeclareColoring(const CommandLine& app, ColoringOptions& coloring)
       "Colormap, or an image whose lowest row has its colors; without this option, colors that the "
       "file gives to its values are used")
     .TypeName(Join(ColormapNames(), "|") + "|FILE")
-    .Default(coloring.Colormap)
-    .TakeLast()
-    .Group(group);
-  app.AddFlag("-b,--coloring-scalar-bar,--bar", coloring.ScalarBar, "Draw the scalar bar")
-    .Group(group);
+    .Default(coloring.Colormap);
+  app.AddFlag("-b,--coloring-scalar-bar,--bar", coloring.ScalarBar, "Draw the scalar bar");
   DeclareScalarBarOptions(app, coloring.Bar);
 }
 
 void DeclareText(const CommandLine& app, RenderOptions& options)
 {
-  app
-    .AddText("--text", options.Text,
-      "Text in the upper left corner; {time} is replaced by the time of the image")
-    .TypeName("STRING")
-    .TakeLast()
-    .Group("Time");
-  app.AddFlag("-n,--filename", options.FileNameLabel, "Show the names of the files").Group("Time");
-  app.AddFlag("--time-label", options.TimeLabel, "Show the time of the image").Group("Time");
+  app.SetGroup("Time");
+  app.AddText("--text", options.Text, "STRING",
+    "Text in the upper left corner; {time} is replaced by the time of the image");
+  app.AddFlag("-n,--filename", options.FileNameLabel, "Show the names of the files");
+  app.AddFlag("--time-label", options.TimeLabel, "Show the time of the image");
 }
 
 void DeclareLight(const CommandLine& app, LightOptions& light)
 {
-  const std::string group = "Effects";
-  app
-    .AddFlag("-f,--indirect,--hdri-ambient", light.Indirect,
-      "Add diffuse light from other surfaces and from the environment (ray)")
-    .Group(group);
+  app.AddFlag("-f,--indirect,--hdri-ambient", light.Indirect,
+    "Add diffuse light from other surfaces and from the environment (ray)");
   AddTriple(app, "--environment-color", light.EnvironmentColor,
-    "Radiance of rays that hit nothing; default: the background color", { 0.0, 1e6 })
-    .Group(group);
-  AddEnvironmentOptions(app, light.EnvironmentFile, light.EnvironmentUp, group);
+    "Radiance of rays that hit nothing; default: the background color", { 0.0, 1e6 });
+  AddEnvironmentOptions(app, light.EnvironmentFile, light.EnvironmentUp);
   AddNumber(app, "--albedo", light.Albedo, "A",
-    "Fraction of indirect light that a white surface reflects", Unit)
-    .Group(group);
+    "Fraction of indirect light that a white surface reflects", Unit);
   AddInteger(app, "--bounces", light.Bounces,
-    "Diffuse reflections, including the one toward the camera", 1, 64)
-    .Group(group);
+    "Diffuse reflections, including the one toward the camera", 1, 64);
 }
 
 std::vector<std::string> KernelNames()
@@ -306,49 +243,36 @@ std::vector<std::string> KernelNames()
 
 void DeclareEffects(const CommandLine& app, RenderOptions& options)
 {
-  const std::string group = "Effects";
-  app
-    .AddFlag("-q,--ambient-occlusion", options.AmbientOcclusion,
-      "Ambient occlusion: rgb * (1 - strength * occlusion)")
-    .Group(group);
+  app.SetGroup("Effects");
+  app.AddFlag("-q,--ambient-occlusion", options.AmbientOcclusion,
+    "Ambient occlusion: rgb * (1 - strength * occlusion)");
   const auto requestArray = [&options](const std::string&) { options.OcclusionArray = true; };
   AddOcclusionRadiusOption(
     app, "--ambient-occlusion-radius", options.AmbientOcclusionRadius, "inf (ray)")
-    .Each(requestArray)
-    .Group(group);
+    .Each(requestArray);
   AddFalloffOption(app, "--ambient-occlusion-falloff", options.AmbientOcclusionFalloff, " (ray)")
-    .Each(requestArray)
-    .Group(group);
+    .Each(requestArray);
   AddNumber(app, "--ambient-occlusion-strength", options.AmbientOcclusionStrength, "S",
-    "Strength of the darkening; default: 1, on surfaces colored by data 0.6", Unit)
-    .Group(group);
+    "Strength of the darkening; default: 1, on surfaces colored by data 0.6", Unit);
   AddNumber(app, "--ambient-occlusion-light-awareness", options.AmbientOcclusionLightAwareness, "A",
-    "Reduce the darkening of bright colors: strength * (1 - A * max(r, g, b)) (raster)", Unit)
-    .Group(group);
+    "Reduce the darkening of bright colors: strength * (1 - A * max(r, g, b)) (raster)", Unit);
   AddChoice(app, "--ambient-occlusion-kernel", options.AmbientOcclusionKernel, KernelNames(),
-    "Kernel; traced: rays, others: depth buffer (raster)")
-    .Group(group);
-  AddGathererOption(app, options.Gatherer, " (ray)").Group(group);
+    "Kernel; traced: rays, others: depth buffer (raster)");
+  AddGathererOption(app, options.Gatherer, " (ray)");
   AddInteger(app, "--frames", options.Frames,
-    "Number of frames accumulated with a static camera, 0: until converged (raster)", 0, 100000)
-    .Group(group);
+    "Number of frames accumulated with a static camera, 0: until converged (raster)", 0, 100000);
   AddChoice(app, "--cache", options.Cache, { "auto", "world", "screen", "none" },
     "Interpolate occlusion and indirect light between records in world space or over the image; "
-    "none: join the rays of neighboring pixels; auto: none, world with --gatherer cube-map (ray)")
-    .Group(group);
-  app.AddFlag("--shadows", options.Shadows, "Shadows of the lights (ray)").Group(group);
-  AddLightRadiusOption(app, options.LightRadius, "; implies --shadows (ray)").Group(group);
-  AddLightAngleOption(app, options.LightAngle, "; implies --shadows (ray)").Group(group);
+    "none: join the rays of neighboring pixels; auto: none, world with --gatherer cube-map (ray)");
+  app.AddFlag("--shadows", options.Shadows, "Shadows of the lights (ray)");
+  AddLightRadiusOption(app, options.LightRadius, "; implies --shadows (ray)");
+  AddLightAngleOption(app, options.LightAngle, "; implies --shadows (ray)");
 }
-
-}
-
-namespace
-{
 
 /// Options of F3D for what this program always does, hidden in the help.
 void DeclareRedundant(const CommandLine& app, RenderOptions& options)
 {
+  app.SetGroup("");
   for (const char* name : { "-a,--anti-aliasing", "-p,--blending,--translucency-support",
          "-r,--raytracing", "-d,--raytracing-denoise,--denoise", "--no-config", "--dry-run" })
   {
@@ -361,13 +285,13 @@ void DeclareRedundant(const CommandLine& app, RenderOptions& options)
         "'" + text + "': all files are one scene, or {name} in --output makes one image per file");
     }
   };
-  app.AddParsed("--multi-file-mode", storeMode, "").Group("");
+  app.AddParsed("--multi-file-mode", storeMode, "");
   app.AddIgnored("--point-sprites", options.PointSprites);
   // The tolerance decides.
   const auto checkSamples = [](const std::string& text) {
     ParseNumbers("--raytracing-samples", text, 1, 1, { 1.0, 1e9 });
   };
-  app.AddParsed("--raytracing-samples,--samples", checkSamples, "").Group("");
+  app.AddParsed("--raytracing-samples,--samples", checkSamples, "");
 }
 
 }

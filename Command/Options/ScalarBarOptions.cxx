@@ -46,10 +46,6 @@ void DeclareScalarBarOptions(const CommandLine& app, ScalarBarOptions& bar)
       "Format of the labels as in printf, for example %.1f or \"%g mm\"")
     .TypeName("FORMAT")
     .Default(bar.Format);
-  for (const Option& option : app.GetAll("--scalar-bar-"))
-  {
-    option.Group("Coloring by data");
-  }
 }
 
 }

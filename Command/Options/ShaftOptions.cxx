@@ -46,8 +46,7 @@ void AddPhase(const CommandLine& app, ShaftOptions& shafts)
       "Phase function of --shafts-scattering; hg: Henyey-Greenstein, G from -0.999 (backward) to "
       "0.999 (forward)")
     .TypeName("isotropic|rayleigh|hg:G")
-    .Default("isotropic")
-    .TakeLast();
+    .Default("isotropic");
 }
 
 double Of(const std::vector<double>& coefficients, std::size_t channel)
@@ -100,11 +99,8 @@ void DeclareShaftOptions(const CommandLine& app, ShaftOptions& shafts)
     .Default("");
   AddDirection(
     app, "--shafts-up", shafts.Up, "Direction in which heights are measured; default: 0,1,0");
-  app
-    .AddText("--shafts-density", shafts.Density,
-      "Image data (.vti, .vtk, ...) with the relative density as point scalars; 0 outside (ray)")
-    .TypeName("FILE")
-    .TakeLast();
+  app.AddText("--shafts-density", shafts.Density, "FILE",
+    "Image data (.vti, .vtk, ...) with the relative density as point scalars; 0 outside (ray)");
   AddChoice(app, "--shafts-surface-light", shafts.SurfaceLight,
     { "automatic", "attenuated", "unattenuated" },
     "Light on its way to surfaces; automatic: attenuated, unless the medium is gray and its "
@@ -114,11 +110,6 @@ void DeclareShaftOptions(const CommandLine& app, ShaftOptions& shafts)
   AddChoice(app, "--shafts-estimator", shafts.Estimator, { "depth", "shadow-map" },
     "Shadows of the shafts: from the depth of the image, or from a shadow map of each light, whose "
     "error follows --tolerance (raster)");
-  app.Get("--light-shafts").Group("Effects");
-  for (const std::string& name : ShaftOptions::GetNames())
-  {
-    app.Get(name).Group("Effects");
-  }
 }
 
 void CheckShaftOptions(const ShaftOptions& shafts)
@@ -130,11 +121,6 @@ void CheckShaftOptions(const ShaftOptions& shafts)
       throw CommandError(BadInput,
         "--shafts-extinction must not be less than --shafts-scattering, which it includes");
     }
-  }
-  const Vector3 up = shafts.Up.value_or(Vector3{ 0, 1, 0 });
-  if (std::hypot(up[0], up[1], up[2]) == 0.0)
-  {
-    throw CommandError(BadInput, "--shafts-up: 0,0,0 is not a direction; give a nonzero vector");
   }
 }
 

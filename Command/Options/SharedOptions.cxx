@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace penumbra
 {
@@ -55,6 +56,12 @@ Option AddLightPositionOption(
   return app.AddRepeatable("--light-position", store, description).TypeName("X,Y,Z[,W]");
 }
 
+bool HasLight(const LightPositions& lights, bool positional)
+{
+  return std::any_of(lights.begin(), lights.end(),
+    [positional](const std::array<double, 4>& light) { return (light[3] > 0.0) == positional; });
+}
+
 void RequireLightPositions(const LightPositions& lights)
 {
   for (const std::array<double, 4>& light : lights)
@@ -84,7 +91,22 @@ Option AddLightAngleOption(const CommandLine& app, double& angle, const std::str
 Option AddStatisticsOption(
   const CommandLine& app, std::string& path, const std::string& description)
 {
-  return app.AddText("--statistics", path, description).TypeName("FILE.json").TakeLast();
+  return app.AddText("--statistics", path, "FILE.json", description);
+}
+
+std::vector<std::string> DescribeIgnored(
+  const CommandLine& app, const std::vector<IgnoredOption>& rows)
+{
+  std::vector<std::string> warnings;
+  std::set<std::string> found;
+  for (const IgnoredOption& row : rows)
+  {
+    if (row.IsIgnored && app.Count(row.Name) > 0 && found.insert(row.Name).second)
+    {
+      warnings.push_back(std::string(row.Name) + " has no effect " + row.Reason);
+    }
+  }
+  return warnings;
 }
 
 }

@@ -39,6 +39,9 @@ using LightPositions = std::vector<std::array<double, 4>>;
 Option AddLightPositionOption(
   const CommandLine& app, LightPositions& lights, const std::string& description);
 
+/// Returns true if a light has a position, or a direction.
+bool HasLight(const LightPositions& lights, bool positional);
+
 /// Throws CommandError unless w is positive, or 0 with a nonzero direction.
 void RequireLightPositions(const LightPositions& lights);
 
@@ -51,6 +54,18 @@ Option AddLightAngleOption(const CommandLine& app, double& angle, const std::str
 /// Adds --statistics. `description` states what is written.
 Option AddStatisticsOption(
   const CommandLine& app, std::string& path, const std::string& description);
+
+/// A reason for which an option may have no effect.
+struct IgnoredOption
+{
+  const char* Name;
+  bool IsIgnored;
+  const char* Reason;
+};
+
+/// Returns one warning for each option on the command line that has no effect, with the first of its reasons.
+std::vector<std::string> DescribeIgnored(
+  const CommandLine& app, const std::vector<IgnoredOption>& rows);
 
 }
 #endif

@@ -84,37 +84,26 @@ double SelectTime(const TimeOptions& options, const Timeline& timeline, const st
 
 void DeclareTimeOptions(const CommandLine& app, TimeOptions& time)
 {
-  const std::string group = "Time";
+  app.SetGroup("Time");
   app
     .AddParsed(
       "--time,--animation-time",
       [&time](const std::string& text) { time.Time = ParseNumbers("--time", text, 1, 1, {})[0]; },
       "Show the time step at this time, or the last one before it; default: the first step")
-    .TypeName("T")
-    .TakeLast()
-    .Group(group);
+    .TypeName("T");
   app
     .AddParsed(
       "--time-step",
       [&time](const std::string& text) {
-        const double step = ParseNumbers("--time-step", text, 1, 1, { -1e9, 1e9 })[0];
-        if (step != std::floor(step))
-        {
-          throw InvalidValue("--time-step", "'" + text + "' is not an integer");
-        }
-        time.Step = static_cast<int>(step);
+        time.Step = ParseInteger("--time-step", text, -1000000000, 1000000000);
       },
       "Show this time step, 0: the first, -1: the last")
-    .TypeName("N")
-    .TakeLast()
-    .Group(group);
+    .TypeName("N");
   app
     .AddParsed(
       "--times", [&time](const std::string& text) { time.Range = ParseRange(text); },
       "One image per time step from A to B, or at A, A + S, A + 2 S, ...; {time} in --output")
-    .TypeName("A:B[:S]")
-    .TakeLast()
-    .Group(group);
+    .TypeName("A:B[:S]");
 }
 
 void CheckTimeOptions(const CommandLine& app)

@@ -114,6 +114,17 @@ std::vector<double> ParseNumbers(const std::string& option, const std::string& t
   return numbers;
 }
 
+int ParseInteger(const std::string& option, const std::string& text, int minimum, int maximum)
+{
+  double value = 0.0;
+  if (!ParseNumber(text, value) || value != std::floor(value) || value < minimum || value > maximum)
+  {
+    ThrowInvalid(option, text,
+      "an integer from " + std::to_string(minimum) + " to " + std::to_string(maximum));
+  }
+  return static_cast<int>(value);
+}
+
 Option AddTriple(const CommandLine& app, const std::string& name, std::optional<Vector3>& target,
   const std::string& description, const Range& range)
 {
@@ -166,6 +177,10 @@ Option AddDirection(const CommandLine& app, const std::string& name, std::option
     }
     const std::vector<double> numbers = ParseNumbers(name, text, 3, 3, {});
     std::copy(numbers.begin(), numbers.end(), target->begin());
+    if (*target == Vector3{})
+    {
+      throw InvalidValue(name, "'" + text + "' is not a direction; give a nonzero vector");
+    }
   };
   return app.AddParsed(name, store, description).TypeName("X,Y,Z|+X|-X|...");
 }
@@ -212,15 +227,7 @@ Option AddInteger(const CommandLine& app, const std::string& name, int& target,
   const std::string& description, int minimum, int maximum)
 {
   const auto store = [name, minimum, maximum, &target](const std::string& text) {
-    int value = 0;
-    const char* end = text.c_str() + text.size();
-    const std::from_chars_result result = std::from_chars(text.c_str(), end, value);
-    if (result.ec != std::errc() || result.ptr != end || value < minimum || value > maximum)
-    {
-      ThrowInvalid(name, text,
-        "an integer from " + std::to_string(minimum) + " to " + std::to_string(maximum));
-    }
-    target = value;
+    target = ParseInteger(name, text, minimum, maximum);
   };
   return app.AddParsed(name, store, description).TypeName("N").Default(std::to_string(target));
 }

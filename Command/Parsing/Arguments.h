@@ -38,6 +38,9 @@ std::string Join(const std::vector<std::string>& texts, const std::string& separ
 std::vector<double> ParseNumbers(const std::string& option, const std::string& text,
   std::size_t minimum, std::size_t maximum, const Range& range);
 
+/// Parses an integer. Throws InvalidValue naming `option`.
+int ParseInteger(const std::string& option, const std::string& text, int minimum, int maximum);
+
 ///@{
 /// Adds an option; if it is repeated, the last value is used. `name`: "--name", or several
 /// separated by commas.

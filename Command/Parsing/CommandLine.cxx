@@ -49,12 +49,6 @@ std::string DescribeError(const CLI::App& program, const std::exception& error)
 
 }
 
-Option Option::Group(const std::string& heading) const
-{
-  this->Implementation->group(heading);
-  return *this;
-}
-
 Option Option::TypeName(const std::string& name) const
 {
   this->Implementation->type_name(name);
@@ -79,12 +73,6 @@ Option Option::Required() const
   return *this;
 }
 
-Option Option::TakeLast() const
-{
-  this->Implementation->take_last();
-  return *this;
-}
-
 Option Option::Each(const std::function<void(const std::string& value)>& listener) const
 {
   this->Implementation->each(listener);
@@ -97,10 +85,17 @@ CommandLine CommandLine::AddSubcommand(
   return CommandLine(this->Implementation->add_subcommand(name, description));
 }
 
-Option CommandLine::AddText(
-  const std::string& name, std::string& target, const std::string& description) const
+void CommandLine::SetGroup(const std::string& heading) const
 {
-  return Option(this->Implementation->add_option(name, target, description));
+  this->Implementation->option_defaults()->group(heading);
+}
+
+Option CommandLine::AddText(const std::string& name, std::string& target,
+  const std::string& typeName, const std::string& description) const
+{
+  CLI::Option* option =
+    this->Implementation->add_option(name, target, description)->type_name(typeName);
+  return Option(name[0] == '-' ? option->take_last() : option);
 }
 
 Option CommandLine::AddTexts(
@@ -154,19 +149,6 @@ Option CommandLine::AddIgnored(const std::string& name, std::string& value) cons
 Option CommandLine::Get(const std::string& name) const
 {
   return Option(this->Implementation->get_option(name));
-}
-
-std::vector<Option> CommandLine::GetAll(const std::string& prefix) const
-{
-  std::vector<Option> options;
-  for (CLI::Option* option : this->Implementation->get_options())
-  {
-    if (option->get_name().rfind(prefix, 0) == 0)
-    {
-      options.emplace_back(option);
-    }
-  }
-  return options;
 }
 
 void CommandLine::Remove(const std::string& name) const

@@ -41,8 +41,7 @@ public:
   }
 
   ///@{
-  /// Text of the help: the heading above the option, its value, default and description.
-  Option Group(const std::string& heading) const;
+  /// Text of the help: the value of the option, its default and description.
   Option TypeName(const std::string& name) const;
   Option Default(const std::string& value) const;
   Option Description(const std::string& text) const;
@@ -50,9 +49,6 @@ public:
 
   /// The option must be given.
   Option Required() const;
-
-  /// If the option is repeated, the last value counts.
-  Option TakeLast() const;
 
   /// Calls `listener` with each value.
   Option Each(const std::function<void(const std::string& value)>& listener) const;
@@ -72,10 +68,14 @@ public:
 
   CommandLine AddSubcommand(const std::string& name, const std::string& description) const;
 
+  /// Sets the heading of the options that are added next in the help; empty: they are hidden.
+  void SetGroup(const std::string& heading) const;
+
   ///@{
-  /// Adds an option, or an argument if `name` has no dashes. Targets must outlive the parser.
-  Option AddText(
-    const std::string& name, std::string& target, const std::string& description) const;
+  /// Adds an option, or an argument if `name` has no dashes. If an option with one value is repeated, the last one
+  /// counts. Targets must outlive the parser.
+  Option AddText(const std::string& name, std::string& target, const std::string& typeName,
+    const std::string& description) const;
   Option AddTexts(const std::string& name, std::vector<std::string>& target,
     const std::string& description) const;
   ///@}
@@ -107,9 +107,6 @@ public:
 
   /// Returns a declared option.
   Option Get(const std::string& name) const;
-
-  /// Returns the declared options whose names begin with `prefix`.
-  std::vector<Option> GetAll(const std::string& prefix) const;
 
   void Remove(const std::string& name) const;
 
