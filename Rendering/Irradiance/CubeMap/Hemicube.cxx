@@ -5,10 +5,7 @@
 #include "Gathering/HemisphereGrid.h"
 #include "Shading/HemisphereSampling.h"
 
-#include "vtkMath.h"
-
 #include <algorithm>
-#include <limits>
 
 namespace penumbra
 {
@@ -22,30 +19,6 @@ constexpr int TexelSubdivisions = 4;
 /// Rotation of the cube about z, in radians. Edges parallel to x and y are frequent; the rotation
 /// prevents them from following rows of texels.
 constexpr float Rotation = .35f;
-
-/// Form factor of the rectangle [0, u] x [0, v] in a plane at distance 1 that is perpendicular to
-/// the normal (closed form for a differential area).
-double IntegrateTopFace(double u, double v)
-{
-  const double a = std::sqrt(1.0 + u * u);
-  const double b = std::sqrt(1.0 + v * v);
-  return (u / a * std::atan(v / a) + v / b * std::atan(u / b)) / (2.0 * vtkMath::Pi());
-}
-
-/// Same for a side face at distance 1, whose rectangle extends to height z along the normal.
-double IntegrateSideFace(double u, double z)
-{
-  const double a = std::sqrt(1.0 + z * z);
-  return (std::atan(u) - std::atan(u / a) / a) / (2.0 * vtkMath::Pi());
-}
-
-/// Form factor of the rectangle [low, high] from its integral.
-template <typename Integral>
-double ComputeFormFactor(const Integral& integral, glm::dvec2 low, glm::dvec2 high)
-{
-  return integral(high.x, high.y) - integral(low.x, high.y) - integral(high.x, low.y) +
-    integral(low.x, low.y);
-}
 
 int ComputeCellIndex(float coordinate, int side)
 {
@@ -70,23 +43,15 @@ Hemicube::Hemicube(int side)
   } };
   const auto texels = static_cast<std::size_t>(this->GetWidth()) * this->GetHeight();
   this->Directions.resize(texels);
-  this->FormFactors.resize(texels);
-  const double step = 2.0 / side;
   for (const Face& face : this->Faces)
   {
-    const bool top = face.MinimumUp < 0.f;
     for (int j = 0; j < face.Height; ++j)
     {
       for (int i = 0; i < face.Width; ++i)
       {
         const std::size_t texel =
           static_cast<std::size_t>(face.Y + j) * this->GetWidth() + face.X + i;
-        const glm::dvec2 low(-1.0 + i * step, face.MinimumUp + j * step);
-        const glm::dvec2 high = low + step;
         this->Directions[texel] = this->ComputeDirection(face, i, j, { .5f, .5f });
-        this->FormFactors[texel] =
-          static_cast<float>(top ? ComputeFormFactor(IntegrateTopFace, low, high)
-                                 : ComputeFormFactor(IntegrateSideFace, low, high));
       }
     }
   }

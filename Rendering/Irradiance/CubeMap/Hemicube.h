@@ -46,10 +46,6 @@ public:
   /// Local direction of each texel center; its component along Forward of its face is 1.
   const std::vector<glm::vec3>& GetDirections() const { return this->Directions; }
 
-  /// Exact form factor of each texel: 1/pi times the integral of the cosine over its solid angle.
-  /// The sum is 1 [Cohen & Greenberg 1985].
-  const std::vector<float>& GetFormFactors() const { return this->FormFactors; }
-
   /// A texel and the fraction of a cell that it covers, weighted by the cosine.
   struct TexelWeight
   {
@@ -73,7 +69,6 @@ private:
   int Side;
   std::array<Face, 5> Faces;
   std::vector<glm::vec3> Directions;
-  std::vector<float> FormFactors;
 };
 
 }

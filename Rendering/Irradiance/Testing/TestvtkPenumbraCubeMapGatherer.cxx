@@ -25,6 +25,8 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -94,13 +96,16 @@ TEST(Hemicube, FormFactorsSumToOne)
     const Hemicube cube(side);
     double sum = 0.0;
     glm::dvec3 mean(0.0);
-    for (std::size_t i = 0; i < cube.GetFormFactors().size(); ++i)
+    const double area = 4.0 / (side * side);
+    for (const glm::vec3& direction : cube.GetDirections())
     {
-      const glm::dvec3 w = glm::normalize(glm::dvec3(cube.GetDirections()[i]));
-      sum += cube.GetFormFactors()[i];
-      mean += double(cube.GetFormFactors()[i]) * w;
+      // The component along the normal of the face is 1, so that both cosines are divided by the length.
+      const glm::dvec3 v(direction);
+      const double factor = v.z * area / (glm::pi<double>() * glm::dot(v, v) * glm::dot(v, v));
+      sum += factor;
+      mean += factor * glm::normalize(v);
     }
-    EXPECT_NEAR(sum, 1.0, 1e-5);
+    EXPECT_NEAR(sum, 1.0, 1.0 / (side * side));
     EXPECT_NEAR(mean.x, 0.0, 1e-5);
     EXPECT_NEAR(mean.y, 0.0, 1e-5);
     EXPECT_NEAR(mean.z, 2.0 / 3.0, 1.0 / (side * side)); // 1/pi * integral of cos^2
