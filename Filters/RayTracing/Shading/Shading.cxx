@@ -80,18 +80,10 @@ float ComputeLightStrength(
   return cosine >= light.ConeCosine ? strength * std::pow(cosine, light.Exponent) : 0.f;
 }
 
-/// Returns the largest color channel of the light that a surface reflects, approximately.
-float ComputeBrightness(const Light& light, glm::vec3 diffuse, glm::vec3 specular)
-{
-  const glm::vec3 color = diffuse * light.DiffuseColor + specular * light.SpecularColor;
-  return std::max(std::max(color.r, color.g), color.b);
-}
-
 }
 
 Shading::Shading(const RayScene& scene, bool shadows)
-  : Rays(scene),
-    Shadows(shadows)
+  : Rays(scene)
 {
   const std::vector<Light>& lights = scene.GetScene().Lights;
   this->OneHeadlight = lights.size() == 1 && lights[0].Headlight;
@@ -194,12 +186,10 @@ ShadedHit Shading::ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long lo
   const glm::uvec3 corners = surface.GetCorners(hit.Primitive);
   const auto [a, b, c] = surface.GetPoints(hit.Primitive);
   const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
-
   const auto pointOfHit = [&]() {
     return surface.IsRound() ? ray.Origin + hit.Distance * ray.Direction
                              : weights.x * a + weights.y * b + weights.z * c;
   };
-
   ShadedHit shaded;
   shaded.GeometricNormal = this->Rays.GetNormal(ray, hit);
   const bool front = glm::dot(shaded.GeometricNormal, ray.Direction) < 0.f;
@@ -209,7 +199,6 @@ ShadedHit Shading::ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long lo
   }
   const glm::vec3 forward(scene.ViewCamera.Forward);
   shaded.Normal = LightingNormal(surface, hit, weights, front, shaded.GeometricNormal, forward);
-
   const PhongCoefficients* coefficients = front ? &material.Front : &material.Back;
   PhongCoefficients modified = *coefficients;
   if (material.Colored)
@@ -232,8 +221,7 @@ ShadedHit Shading::ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long lo
   }
   if (coefficients->PbrMaterial && surface.BaseColorTexture)
   {
-    const glm::vec4 texel = SampleTexture(
-      *surface.BaseColorTexture, Interpolate(surface.TextureCoordinates, corners, weights));
+    const glm::vec4 texel = SampleTexture(surface, *surface.BaseColorTexture, corners, weights);
     modified = *coefficients;
     modified.Diffuse *= glm::vec3(texel);
     modified.Opacity *= texel.a;
@@ -290,8 +278,7 @@ ShadedHit Shading::ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long lo
   shaded.Color = glm::vec4(rgb, phong.Opacity);
   if (surface.LitTexture && terms != Terms::Untextured && (front || surface.TextureOnBackfaces))
   {
-    const glm::vec4 texel =
-      SampleTexture(*surface.LitTexture, Interpolate(surface.TextureCoordinates, corners, weights));
+    const glm::vec4 texel = SampleTexture(surface, *surface.LitTexture, corners, weights);
     shaded.Color *= texel;
     shaded.Emission *= glm::vec3(texel);
     shaded.Reflectance *= glm::vec3(texel);
@@ -319,11 +306,9 @@ glm::vec3 Shading::ApplyLights(const PhongCoefficients& phong, const ShadedHit& 
     }
     if (this->Shadows && light.CastsShadow)
     {
-      strength *= light.HasSize()
-        ? this->SampleVisibleFraction(i, point, shaded.GeometricNormal,
-            irradiance * ComputeBrightness(light, phong.Diffuse, phong.Specular), shadowRays,
-            penumbrae)
-        : this->Transmittance(point, -direction, distance, shaded.GeometricNormal, shadowRays);
+      strength *= this->ComputeVisibility(i, point, -direction, distance, shaded.GeometricNormal,
+        irradiance * (phong.Diffuse * light.DiffuseColor + phong.Specular * light.SpecularColor),
+        shadowRays, penumbrae);
     }
     const glm::vec3 attenuation = this->ComputeAttenuation(light, point);
     diffuse += strength * -glm::dot(shaded.Normal, direction) * light.DiffuseColor * attenuation;
@@ -366,11 +351,8 @@ glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhysicallyBased& material,
     float strength = ComputeLightStrength(light, point, direction, distance);
     if (strength > 0.f && this->Shadows && light.CastsShadow)
     {
-      strength *= light.HasSize()
-        ? this->SampleVisibleFraction(i, point, shaded.GeometricNormal,
-            strength * ComputeBrightness(light, shaded.Reflectance, glm::vec3(0.f)), shadowRays,
-            penumbrae)
-        : this->Transmittance(point, -direction, distance, shaded.GeometricNormal, shadowRays);
+      strength *= this->ComputeVisibility(i, point, -direction, distance, shaded.GeometricNormal,
+        strength * (shaded.Reflectance * light.DiffuseColor), shadowRays, penumbrae);
     }
     if (strength > 0.f)
     {
@@ -388,9 +370,15 @@ glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhysicallyBased& material,
   return material.ToDisplayColor(radiance);
 }
 
-float Shading::Transmittance(glm::vec3 point, glm::vec3 direction, float distance, glm::vec3 normal,
-  long long& shadowRays) const
+float Shading::ComputeVisibility(std::size_t light, glm::vec3 point, glm::vec3 direction,
+  float distance, glm::vec3 normal, glm::vec3 reflected, long long& shadowRays,
+  PenumbraSampling* penumbrae) const
 {
+  if (this->Rays.GetScene().Lights[light].HasSize())
+  {
+    const float brightness = std::max({ reflected.r, reflected.g, reflected.b });
+    return this->SampleVisibleFraction(light, point, normal, brightness, shadowRays, penumbrae);
+  }
   if (glm::dot(direction, normal) <= 0.f)
   {
     return 0.f; // the light is behind the triangle
@@ -463,7 +451,10 @@ float Shading::TraceTransmittance(Ray ray, long long& shadowRays) const
     {
       return transmittance;
     }
-    transmittance *= this->SurfaceTransmittance(hit, ray);
+    if (!this->Rays.GetScene().Surfaces[hit.Surface].IsLineOrPoint)
+    {
+      transmittance *= 1.f - ComputeOpacity(this->Rays, hit, ray);
+    }
     ray = ContinueBehind(ray, hit);
     ray.Near += hit.NextInOrder > 0 ? 0.f : offset;
   }
@@ -489,89 +480,21 @@ void Shading::TraceTransmittance16(
     [](bool isOccluded) { return isOccluded ? 0.f : 1.f; });
 }
 
-float Shading::SurfaceTransmittance(const Hit& hit, const Ray& ray) const
-{
-  const Surface& surface = this->Rays.GetScene().Surfaces[hit.Surface];
-  if (surface.IsLineOrPoint)
-  {
-    return 1.f;
-  }
-  return 1.f - ComputeOpacity(this->Rays, hit, ray);
-}
-
 float Shading::ComputeOpacity(const RayScene& rays, const Hit& hit, const Ray& ray)
 {
   const Surface& surface = rays.GetScene().Surfaces[hit.Surface];
-  const glm::uvec3 corners = surface.GetCorners(hit.Primitive);
-  const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
   const std::array<glm::vec3, 3> points = surface.GetPoints(hit.Primitive);
   const glm::vec3 normal = surface.IsRound()
     ? rays.GetNormal(ray, hit)
     : glm::cross(points[1] - points[0], points[2] - points[0]);
   const bool isFront = glm::dot(normal, ray.Direction) < 0.f || !surface.HasBackMaterial;
-  float opacity = isFront ? surface.Front.Opacity : surface.Back.Opacity;
-  if (HasMappedColor(surface))
-  {
-    opacity *= MappedColor(surface, hit, corners, weights).a;
-  }
-  if (surface.BaseColorTexture)
-  {
-    opacity *= SampleTexture(
-      *surface.BaseColorTexture, Interpolate(surface.TextureCoordinates, corners, weights))
-                 .a;
-  }
-  if (surface.LitTexture)
-  {
-    opacity *=
-      SampleTexture(*surface.LitTexture, Interpolate(surface.TextureCoordinates, corners, weights))
-        .a;
-  }
-  return std::min(opacity, 1.f);
+  const float opacity = isFront ? surface.Front.Opacity : surface.Back.Opacity;
+  return std::min(MultiplyOpacity(surface, hit, opacity), 1.f);
 }
 
 glm::vec4 Shading::Background(glm::dvec2 p) const
 {
-  const Scene& scene = this->Rays.GetScene();
-  const penumbra::Background& background = scene.BackgroundColors;
-  const glm::vec2 position(p / glm::dvec2(scene.ViewCamera.Width, scene.ViewCamera.Height));
-  if (background.Image || background.Surroundings)
-  {
-    glm::vec4 texel;
-    if (background.Surroundings)
-    {
-      const Camera& camera = scene.ViewCamera;
-      texel = SampleSky(*background.Surroundings,
-        camera.Parallel
-          ? camera.RayOrigin(p) - camera.Position + background.Surroundings->Depth * camera.Forward
-          : camera.RayDirection(p));
-    }
-    else
-    {
-      texel = SampleTexture(*background.Image, position);
-    }
-    const float alpha = texel.a + (1.f - texel.a) * background.First.a;
-    const glm::vec3 color =
-      glm::mix(background.First.a * glm::vec3(background.First), glm::vec3(texel), texel.a);
-    return alpha > 0.f ? glm::vec4(color / alpha, alpha) : glm::vec4(0.f);
-  }
-  const float radius = 2.f * glm::length(position - .5f);
-  float t = 0.f;
-  switch (background.Gradient)
-  {
-    case penumbra::Background::Gradients::Vertical:
-      t = position.y;
-      break;
-    case penumbra::Background::Gradients::Horizontal:
-      t = position.x;
-      break;
-    case penumbra::Background::Gradients::RadialToSide:
-      t = std::min(radius, 1.f);
-      break;
-    case penumbra::Background::Gradients::RadialToCorner:
-      t = std::min(radius / std::sqrt(2.f), 1.f);
-      break;
-  }
-  return glm::mix(background.First, background.Second, t);
+  return SampleBackground(this->Rays.GetScene(), p);
 }
 
 }

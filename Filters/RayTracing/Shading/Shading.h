@@ -152,11 +152,11 @@ private:
   glm::vec3 DirectionToCamera(glm::vec3 point) const;
   float SampleVisibleFraction(std::size_t light, glm::vec3 point, glm::vec3 normal,
     float brightness, long long& shadowRays, PenumbraSampling* penumbrae) const;
-  float Transmittance(glm::vec3 point, glm::vec3 direction, float distance, glm::vec3 normal,
-    long long& shadowRays) const;
 
-  /// Returns 1 - opacity of the surface that `ray` hits.
-  float SurfaceTransmittance(const Hit& hit, const Ray& ray) const;
+  /// Returns the fraction of a light at `distance` that arrives. `reflected`: what the surface reflects of all of it.
+  float ComputeVisibility(std::size_t light, glm::vec3 point, glm::vec3 direction, float distance,
+    glm::vec3 normal, glm::vec3 reflected, long long& shadowRays,
+    PenumbraSampling* penumbrae) const;
 
   const RayScene& Rays;
   bool Shadows;

@@ -4,6 +4,7 @@
 
 #include "Background.h"
 #include "Environment/CubeMap.h"
+#include "Scene.h"
 #include "Surface.h"
 
 #include <glm/gtc/constants.hpp>
@@ -79,6 +80,12 @@ glm::vec4 SampleTexture(const Texture& texture, glm::vec2 coordinates)
     glm::mix(texel(i, j + 1), texel(i + 1, j + 1), s), t);
 }
 
+glm::vec4 SampleTexture(
+  const Surface& surface, const Texture& texture, glm::uvec3 corners, glm::vec3 weights)
+{
+  return SampleTexture(texture, Interpolate(surface.TextureCoordinates, corners, weights));
+}
+
 glm::vec4 MappedColor(const Surface& surface, const Hit& hit, glm::uvec3 corners, glm::vec3 weights)
 {
   if (!surface.PointColors.empty())
@@ -100,6 +107,24 @@ bool HasMappedColor(const Surface& surface)
   return !surface.PointColors.empty() || surface.HasTriangleColors() || surface.ColorTexture;
 }
 
+float MultiplyOpacity(const Surface& surface, const Hit& hit, float opacity)
+{
+  const glm::uvec3 corners = surface.GetCorners(hit.Primitive);
+  const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
+  if (HasMappedColor(surface))
+  {
+    opacity *= MappedColor(surface, hit, corners, weights).a;
+  }
+  for (const Texture* texture : { surface.BaseColorTexture.get(), surface.LitTexture.get() })
+  {
+    if (texture)
+    {
+      opacity *= SampleTexture(surface, *texture, corners, weights).a;
+    }
+  }
+  return opacity;
+}
+
 glm::vec4 SampleSky(const Sky& sky, glm::dvec3 direction)
 {
   const glm::dvec3 d = glm::normalize(sky.FromScene * direction);
@@ -118,6 +143,44 @@ glm::vec4 SampleSky(const Sky& sky, glm::dvec3 direction)
   return sky.IsGammaCorrected
     ? glm::vec4(glm::pow(glm::vec3(color), glm::vec3(1.f / 2.2f)), color.a)
     : color;
+}
+
+glm::vec4 SampleBackground(const Scene& scene, glm::dvec2 p)
+{
+  const Background& background = scene.BackgroundColors;
+  const Camera& camera = scene.ViewCamera;
+  const glm::vec2 position(p / glm::dvec2(camera.Width, camera.Height));
+  if (background.Image || background.Surroundings)
+  {
+    const Sky* sky = background.Surroundings.get();
+    const glm::vec4 texel = sky
+      ? SampleSky(*sky,
+          camera.Parallel ? camera.RayOrigin(p) - camera.Position + sky->Depth * camera.Forward
+                          : camera.RayDirection(p))
+      : SampleTexture(*background.Image, position);
+    const float alpha = texel.a + (1.f - texel.a) * background.First.a;
+    const glm::vec3 color =
+      glm::mix(background.First.a * glm::vec3(background.First), glm::vec3(texel), texel.a);
+    return alpha > 0.f ? glm::vec4(color / alpha, alpha) : glm::vec4(0.f);
+  }
+  const float radius = 2.f * glm::length(position - .5f);
+  float t = 0.f;
+  switch (background.Gradient)
+  {
+    case Background::Gradients::Vertical:
+      t = position.y;
+      break;
+    case Background::Gradients::Horizontal:
+      t = position.x;
+      break;
+    case Background::Gradients::RadialToSide:
+      t = std::min(radius, 1.f);
+      break;
+    case Background::Gradients::RadialToCorner:
+      t = std::min(radius / std::sqrt(2.f), 1.f);
+      break;
+  }
+  return glm::mix(background.First, background.Second, t);
 }
 
 }

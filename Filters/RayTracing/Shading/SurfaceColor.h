@@ -15,6 +15,7 @@
 namespace penumbra
 {
 
+struct Scene;
 struct Surface;
 
 /// Interpolates point data with the barycentric coordinates of a hit.
@@ -30,8 +31,18 @@ T Interpolate(const std::vector<T>& values, glm::uvec3 corners, glm::vec3 weight
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT glm::vec4 SampleTexture(
   const Texture& texture, glm::vec2 coordinates);
 
+/// Returns the color of a texture of `surface` at a hit.
+glm::vec4 SampleTexture(
+  const Surface& surface, const Texture& texture, glm::uvec3 corners, glm::vec3 weights);
+
+/// Returns `opacity` times the opacities of the data and textures of `surface` at a hit.
+float MultiplyOpacity(const Surface& surface, const Hit& hit, float opacity);
+
 /// Returns the color of a sky in a direction, which need not have unit length.
 glm::vec4 SampleSky(const Sky& sky, glm::dvec3 direction);
+
+/// Returns the background at image point p, as non-premultiplied RGBA.
+glm::vec4 SampleBackground(const Scene& scene, glm::dvec2 p);
 
 /// Returns true if the color of the surface is mapped from its data.
 bool HasMappedColor(const Surface& surface);
