@@ -10,6 +10,7 @@
 #include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 
@@ -84,8 +85,12 @@ BakingResult BakingCase::Bake(double tolerance, const OcclusionBakingConstants& 
   result.Outliers /= static_cast<double>(this->Sites.size());
   const auto points = static_cast<double>(input.Sites.size());
   result.Rays = static_cast<double>(baked.BruteForceRays + baked.GatherRays) / points;
-  result.Interpolated = static_cast<double>(baked.Interpolated) / points;
-  result.Denoised = static_cast<double>(baked.Denoised) / points;
+  const auto fraction = [&baked, points](BakingMethod method) {
+    return static_cast<double>(std::count(baked.Methods.begin(), baked.Methods.end(), method)) /
+      points;
+  };
+  result.Interpolated = fraction(BakingMethod::Interpolated);
+  result.Denoised = fraction(BakingMethod::Denoised);
   return result;
 }
 
