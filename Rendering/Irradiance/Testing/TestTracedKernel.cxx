@@ -167,13 +167,14 @@ TEST(TracedEstimator, RefinesToTheSameImageInAnyNumberOfFrames)
   };
   const auto [frames, image] = converge(1, vtkPenumbraTemporalSSAOPass::ALWAYS, 1);
   EXPECT_EQ(frames, 1);
-  // Another number of tiles per frame, and of threads, leads to the same bits.
+  // Another number of tiles per frame, and of threads, leads to the same bits. 0: as many as the time allows, so that
+  // the machine decides how many frames there are.
   int last = 1000;
   for (const int steps : { 1, 5, 0 })
   {
     const auto [inFrames, refined] = converge(2, vtkPenumbraTemporalSSAOPass::NEVER, steps);
-    EXPECT_GT(inFrames, 1);
-    EXPECT_LT(inFrames, last);
+    EXPECT_GT(inFrames, steps == 0 ? 0 : 1);
+    EXPECT_LT(inFrames, steps == 0 ? 1000 : last);
     EXPECT_TRUE(refined == image) << steps;
     last = inFrames;
   }
