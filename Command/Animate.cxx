@@ -107,6 +107,23 @@ bool IsMissing(const Film& film, int frame)
   return film.IsWanted(frame) && !film.IsUpToDate(frame);
 }
 
+/// Calls action(). Returns whether it succeeded; else prints the error and raises `status` to its exit status.
+template <typename Attempt>
+bool Succeeds(const Attempt& action, int& status)
+{
+  try
+  {
+    action();
+    return true;
+  }
+  catch (const CommandError& error)
+  {
+    PrintMessage(error.what());
+    status = std::max<int>(status, error.ExitStatus);
+    return false;
+  }
+}
+
 /// Renders the missing frames of a group in order, also if the files of some cannot be written.
 int RenderGroup(const Film& film, const FrameGroup& group, int threads)
 {
@@ -148,42 +165,28 @@ int RenderGroup(const Film& film, const FrameGroup& group, int threads)
     }
     Move(scene, film, fixed, frame);
     std::optional<OutputFiles> output;
-    const auto report = [&status, &output](const CommandError& error) {
-      PrintMessage(error.what());
-      status = std::max<int>(status, error.ExitStatus);
-      output.reset();
+    const auto open = [&] {
+      CreateFolders(fixed);
+      output.emplace(fixed);
     };
-    try
-    {
-      if (missing)
-      {
-        CreateFolders(fixed);
-        output.emplace(fixed);
-      }
-    }
-    catch (const CommandError& error)
-    {
-      report(error);
-    }
-    if (!output && rays)
+    const bool writable = missing && Succeeds(open, status);
+    if (!writable && rays)
     {
       continue;
     }
     EnterPhase("rendering " + fixed.Output, Unavailable);
     const ProgressListener silent = [](double) {};
     const RenderResult result = draw ? draw(silent) : RenderWithRays(scene.Renderer, fixed, silent);
-    try
-    {
-      for (const std::string& warning : output
-          ? output->Save(result, scene.Renderer, fixed, preparation, film.GetFingerprint(frame))
-          : std::vector<std::string>())
+    const auto save = [&] {
+      for (const std::string& warning :
+        output->Save(result, scene.Renderer, fixed, preparation, film.GetFingerprint(frame)))
       {
         warnings.push_back(fixed.Output + ": " + warning);
       }
-    }
-    catch (const CommandError& error)
+    };
+    if (writable)
     {
-      report(error);
+      Succeeds(save, status);
     }
     preparation = { Clock::now() };
   }
