@@ -128,10 +128,13 @@ private:
       const std::vector<LitLayer>& b = this->Layers[i + 1];
       this->Surfaces += a.empty() && b.empty() ? 0 : 1;
       this->Different += ShowOneSite(a, b, this->Tracer.GetScene()) ? 0 : 1;
-      this->Hits.insert(
-        this->Hits.end(), a.begin(), a.begin() + std::min<std::size_t>(a.size(), 1));
-      this->Hits.insert(
-        this->Hits.end(), b.begin(), b.begin() + std::min<std::size_t>(b.size(), 1));
+      for (const std::vector<LitLayer>* layers : { &a, &b })
+      {
+        if (!layers->empty())
+        {
+          this->Hits.push_back(layers->front());
+        }
+      }
     }
     this->Count = 0;
   }
