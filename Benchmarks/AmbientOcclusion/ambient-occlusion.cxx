@@ -4,6 +4,7 @@
 // Measures the ambient occlusion of OpenGL images and compares each result with its target. Run it
 // with `./penumbra benchmark ambient-occlusion`, which also fetches the meshes.
 #include "Benchmark.h"
+#include "FrameClock.h"
 #include "Program.h"
 
 #include <iostream>
@@ -17,10 +18,10 @@ int main(int argc, char** argv)
   program.Title = "Ambient occlusion in OpenGL images: measurements and targets";
   program.Usage = "--meshes FOLDER --output FOLDER\n"
                   "         [--only accuracy|memory|cost|noise|ranks|settling|traced] [--scene "
-                  "NAME] [--diagnose]";
+                  "NAME] [--diagnose] [--elapsed]";
   program.Values = { { "--meshes", &benchmark.Meshes, true },
     { "--output", &benchmark.Output, true }, { "--scene", &benchmark.Scene, false } };
-  program.Switches = { { "--diagnose", &benchmark.Diagnose } };
+  program.Switches = { { "--diagnose", &benchmark.Diagnose }, { "--elapsed", &FramesAreElapsed } };
   program.Parts = {
     { "accuracy", [&] { MeasureAccuracy(benchmark); } },
     { "memory", [&] { MeasureMemory(benchmark); } },
@@ -31,7 +32,7 @@ int main(int argc, char** argv)
     { "traced", [&] { MeasureTraced(benchmark); } },
   };
   const int status = program.Run(argc, argv, benchmark.Results, benchmark.Output, [&] {
-    return std::vector<std::string>{ "OSMesa, one thread; 1024x768",
+    return std::vector<std::string>{ DescribeFrameClock() + "; 1024x768",
       "reference: " + std::to_string(benchmark.Rays * benchmark.Rays) + " rays at every " +
         std::to_string(benchmark.Stride) + "th foreground pixel in both directions" };
   });

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <ctime>
 #include <functional>
 
 namespace penumbra
@@ -21,13 +20,6 @@ double MedianOfPairs(const std::vector<double>& frames, const std::vector<double
   return Median(values);
 }
 
-}
-
-double ThreadSeconds()
-{
-  timespec time;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 double MedianOverhead(const std::vector<double>& frames, const std::vector<double>& plain)

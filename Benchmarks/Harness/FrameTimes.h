@@ -10,10 +10,6 @@
 namespace penumbra
 {
 
-/// CPU seconds of the calling thread, on which OSMesa renders with one thread. Independent of the
-/// load by other processes.
-double ThreadSeconds();
-
 /// Median of the difference between each frame and the plain frame of its round, in seconds. Both
 /// are affected equally if the machine is slow for a while. @pre both vectors have the same,
 /// nonzero size

@@ -4,6 +4,7 @@
 // The paper's chained passes: two of 8 samples against one loop of 64, both at geometrically spaced
 // distances.
 #include "Benchmark.h"
+#include "Occlusion/FrameClock.h"
 #include "ShaftScene.h"
 #include "vtkPenumbraShaftConstants.h"
 
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 
 namespace penumbra
 {
@@ -23,13 +23,6 @@ namespace
 /// Intensity of the directional light at which an opaque medium has the radiance 1.
 constexpr double WholeSphere = 4.0 * glm::pi<double>();
 constexpr int Frames = 7;
-
-double ThreadSeconds()
-{
-  timespec time;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 struct Chain
 {
@@ -45,10 +38,10 @@ void Measure(ShaftScene& scene, vtkLight* sun, Chain& chain, int frame)
   scene.Pass->GetConstants().Steps = chain.Steps;
   scene.Pass->GetConstants().Passes = chain.Passes;
   sun->SetPosition(0.1 + 1e-4 * frame, 1.0, 0.12);
-  const double start = ThreadSeconds();
+  const double start = FrameSeconds();
   scene.Window->Render();
   scene.Window->WaitForCompletion();
-  chain.Seconds = std::min(chain.Seconds, ThreadSeconds() - start);
+  chain.Seconds = std::min(chain.Seconds, FrameSeconds() - start);
   chain.Light = scene.RenderWithPass();
 }
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Cost of light shafts relative to a plain frame: 400 spheres, 1024x768, medians over rounds of
-// alternating frames, each compared with the plain frame of its round, in seconds of the rendering
-// thread.
+// alternating frames, each compared with the plain frame of its round, see FrameClock.h.
 #include "Benchmark.h"
 #include "FrameTimes.h"
+#include "Occlusion/FrameClock.h"
 #include "Processes/MallocSettings.h"
 
 #include "vtkActor.h"
@@ -101,10 +101,10 @@ struct SphereScene
       this->Renderer->GetActors()->GetLastActor()->Modified();
     }
     this->Renderer->GetActiveCamera()->Azimuth(azimuth);
-    const double start = ThreadSeconds();
+    const double start = FrameSeconds();
     this->Window->Render();
     this->Window->WaitForCompletion();
-    return ThreadSeconds() - start;
+    return FrameSeconds() - start;
   }
 
   bool PropsChange = false; ///< modify an actor before each frame

@@ -4,6 +4,7 @@
 // Measures the light shafts and compares each result with its target. Run it with `./penumbra
 // benchmark light-shafts`.
 #include "Benchmark.h"
+#include "Occlusion/FrameClock.h"
 #include "Program.h"
 
 int main(int argc, char** argv)
@@ -14,10 +15,10 @@ int main(int argc, char** argv)
   program.Name = "light-shafts";
   program.Title = "Light shafts: measurements and targets";
   program.Usage = "--output FOLDER [--povray PROGRAM] [--mitsuba PYTHON]\n"
-                  "         [--only marched|accuracy|chained|cost|motion] [--diagnose]";
+                  "         [--only marched|accuracy|chained|cost|motion] [--diagnose] [--elapsed]";
   program.Values = { { "--output", &benchmark.Output, true }, { "--povray", &benchmark.PovRay },
     { "--mitsuba", &benchmark.Mitsuba } };
-  program.Switches = { { "--diagnose", &benchmark.Diagnose } };
+  program.Switches = { { "--diagnose", &benchmark.Diagnose }, { "--elapsed", &FramesAreElapsed } };
   program.Parts = {
     { "marched", [&] { MeasureMarched(benchmark); } },
     { "accuracy", [&] { MeasureAccuracy(benchmark); } },
@@ -26,7 +27,7 @@ int main(int argc, char** argv)
     { "motion", [&] { MeasureMotion(benchmark); } },
   };
   return program.Run(argc, argv, benchmark.Results, benchmark.Output, [] {
-    return std::vector<std::string>{ "OSMesa, one thread",
+    return std::vector<std::string>{ DescribeFrameClock(),
       "reference of the pass: the ray caster's marched reference, 256 steps; its own reference: "
       "the closed form",
       "moving light and occluder: radiance is a fraction of the maximum, that of an infinitely "

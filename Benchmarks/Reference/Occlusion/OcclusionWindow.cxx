@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OcclusionWindow.h"
 
+#include "FrameClock.h"
 #include "VTKSSAOPass.h"
 
 #include "vtkFloatArray.h"
@@ -12,7 +13,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <ctime>
 
 namespace penumbra
 {
@@ -62,10 +62,10 @@ void OcclusionWindow::UseNone()
 
 double OcclusionWindow::Draw()
 {
-  const std::clock_t start = std::clock();
+  const double start = FrameSeconds();
   this->Window->Render();
   this->Window->WaitForCompletion();
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  return FrameSeconds() - start;
 }
 
 std::vector<float> OcclusionWindow::Array(const std::string& name)

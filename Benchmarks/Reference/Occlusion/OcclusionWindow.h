@@ -35,7 +35,7 @@ public:
   /// Disables ambient occlusion.
   void UseNone();
 
-  /// Renders one frame and returns its CPU seconds.
+  /// Renders one frame and returns its time, see FrameClock.h.
   double Draw();
 
   /// Returns an array of the last frame of vtkPenumbraTemporalSSAOPass.

@@ -142,11 +142,14 @@ long long HemicubeRenderer::Draw(
     state->vtkglClearDepth(0.0);
     state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     graphics.Context->GetShaderCache()->ReadyShaderProgram(graphics.Program);
+    graphics.Program->SetUniform3f("normal", &frame[2][0]);
     graphics.Attributes->Bind();
+    glEnable(GL_CLIP_DISTANCE0);
     for (const Hemicube::Face& face : this->Cube.GetFaces())
     {
       this->DrawFace(face, eye, frame, near, far, triangles);
     }
+    glDisable(GL_CLIP_DISTANCE0);
     graphics.Attributes->Release();
     glReadPixels(0, 0, width, height, GL_RG, GL_FLOAT, texels.data());
   });

@@ -176,6 +176,25 @@ TEST(CubeMapGatherer, ReturnsZeroOnAnOpenPlane)
   }
 }
 
+// Clipping at the near plane rounds by far more than the distance between the cube's center and its own plane.
+TEST(CubeMapGatherer, ReturnsZeroOnTiltedPlanes)
+{
+  for (const glm::vec3 axis :
+    { glm::vec3(.3f, .5f, .8f), glm::vec3(-.6f, .1f, .2f), glm::vec3(.1f, -.9f, .4f) })
+  {
+    const glm::vec3 normal = glm::normalize(axis);
+    const glm::mat3 frame = FrameFromNormal(normal);
+    Scene scene;
+    AddRectangle(scene, -1000.f * (frame[0] + frame[1]), 2000.f * frame[0], 2000.f * frame[1]);
+    const GathererPair both(scene);
+    for (const glm::vec2 at : { glm::vec2(0.f), glm::vec2(1.f, 2.f), glm::vec2(-7.f, 90.f) })
+    {
+      const glm::vec3 point = at.x * frame[0] + at.y * frame[1];
+      EXPECT_LE(both.Occlusion(point, normal), .001f) << axis.x << " " << at.x;
+    }
+  }
+}
+
 TEST(CubeMapGatherer, ReturnsOneInAClosedBox)
 {
   Scene scene;
