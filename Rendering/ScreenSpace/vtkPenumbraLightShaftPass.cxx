@@ -326,7 +326,7 @@ bool vtkPenumbraLightShaftPass::RenderEffect(const vtkRenderState* state)
     const double percent = internals.Constants.Margin >= 0.0 ? internals.Constants.Margin
       : outside                                              ? penumbra::DefaultShaftMargin
                                                              : 0.0;
-    settings.Margin[0] = settings.Margin[1] = penumbra::DelegateImage::LimitMargin(
+    settings.Margin[0] = settings.Margin[1] = this->LimitMargin(
       window, size, static_cast<int>(std::ceil(percent / 100.0 * std::max(size[0], size[1]))));
   }
   internals.Last = &internals.Views.Get(renderer);

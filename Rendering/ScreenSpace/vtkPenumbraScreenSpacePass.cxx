@@ -9,6 +9,9 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
 
 namespace
 {
@@ -80,6 +83,22 @@ vtkOpenGLRenderWindow* vtkPenumbraScreenSpacePass::EnterWindow(
       window, [this](vtkWindow* released) { this->ReleaseGraphicsResources(released); });
   }
   return window;
+}
+
+int vtkPenumbraScreenSpacePass::LimitMargin(
+  vtkOpenGLRenderWindow* window, const int size[2], int margin)
+{
+  const int largest = vtkTextureObject::GetMaximumTextureSize(window);
+  const int limited = std::clamp((largest - std::max(size[0], size[1])) / 2, 0, margin);
+  if (limited < margin)
+  {
+    // The same text at all sizes, so that a window that is resized warns once.
+    this->WarnOnce("Textures of OpenGL have at most " + std::to_string(largest) +
+      " pixels on each side. The image leaves too few of them for the objects around it, whose "
+      "effect on " +
+      this->GetEffectName() + " is missing near its edges. Render a smaller image.");
+  }
+  return limited;
 }
 
 void vtkPenumbraScreenSpacePass::WarnOnce(const std::string& warning)

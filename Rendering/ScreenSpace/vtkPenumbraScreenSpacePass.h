@@ -69,6 +69,12 @@ protected:
   /** Window of the last frame; null if there is none or its resources were released. */
   vtkOpenGLRenderWindow* GetWindow() { return this->Window; }
 
+  /**
+   * Returns `margin`, in pixels, or less, with a warning, if an image of this size with its margin would
+   * exceed the textures of OpenGL.
+   */
+  int LimitMargin(vtkOpenGLRenderWindow* window, const int size[2], int margin);
+
   /** Warns unless the last warning was the same. */
   void WarnOnce(const std::string& warning);
 

@@ -264,8 +264,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
       ? static_cast<int>(std::ceil(constants.Margin / 100.0 * side))
       : ChooseMargin(
           needed, penumbra::MaximumMargin * side, settings.InOneRender ? 0 : rendererState.Margin);
-    rendererState.Margin =
-      penumbra::DelegateImage::LimitMargin(window, renderer->GetSize(), rendererState.Margin);
+    rendererState.Margin = this->LimitMargin(window, renderer->GetSize(), rendererState.Margin);
     settings.Margin[0] = settings.Margin[1] = rendererState.Margin;
   }
   internals.Used = estimator;

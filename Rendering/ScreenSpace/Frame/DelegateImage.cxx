@@ -164,12 +164,6 @@ int DelegateImage::GetTargetColorType(const vtkRenderState* state)
   return color && color->GetVTKDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_UNSIGNED_CHAR;
 }
 
-int DelegateImage::LimitMargin(vtkOpenGLRenderWindow* window, const int size[2], int margin)
-{
-  const int largest = vtkTextureObject::GetMaximumTextureSize(window);
-  return std::clamp((largest - std::max(size[0], size[1])) / 2, 0, margin);
-}
-
 bool DelegateImage::SetUpView(
   const vtkRenderState* state, const int margin[2], const double* bounds)
 {

@@ -85,9 +85,6 @@ public:
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
-  /// Returns `margin`, or less if an image of this size with its margin would exceed the textures of OpenGL.
-  static int LimitMargin(vtkOpenGLRenderWindow* window, const int size[2], int margin);
-
   /// Returns the target of a frame; null unless its color and depth are textures with one sample
   /// per pixel.
   static vtkOpenGLFramebufferObject* GetReadableTarget(const vtkRenderState* state);

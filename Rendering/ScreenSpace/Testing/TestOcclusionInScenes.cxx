@@ -5,10 +5,13 @@
 #include "OcclusionScene.h"
 #include "vtkPenumbraOcclusionConstants.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
+#include "vtkTextureObject.h"
 
 #include <gtest/gtest.h>
 
@@ -106,6 +109,29 @@ TEST(OcclusionInScenes, PreservesTheDepthBuffer)
       largest = std::max(largest, std::abs(plain[i] - occluded[i]));
     }
     EXPECT_LT(largest, 2e-6f) << (parallel ? "parallel" : "perspective");
+  }
+}
+
+TEST(OcclusionInScenes, WarnsOnceIfTheMarginDoesNotFitIntoATexture)
+{
+  OcclusionScene scene(64, 16);
+  scene.AddFloor();
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+  scene.Window->Render();
+  const int largest =
+    vtkTextureObject::GetMaximumTextureSize(vtkOpenGLRenderWindow::SafeDownCast(scene.Window));
+  int warnings = 0;
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetClientData(&warnings);
+  counter->SetCallback(
+    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  scene.Pass->AddObserver(vtkCommand::WarningEvent, counter);
+  for (const int width : { 64, largest, largest - 1, largest })
+  {
+    scene.Window->SetSize(width, 16);
+    scene.Window->Render();
+    EXPECT_EQ(warnings, width == 64 ? 0 : 1);
   }
 }
 
