@@ -1,28 +1,26 @@
 # penumbra_test(<TestName> [OWN] [SOURCES more.cxx...] [LABELS label...] MODULES Penumbra::... VTK::...)
-# GoogleTest cases in <TestName>.cxx; each TEST becomes a CTest test. The target <TestName> holds the objects. The
+# GoogleTest cases in <TestName>.cxx, which are one CTest test. The target <TestName> holds the objects. The
 # tests of a folder with the same labels are one program, <Folder>Tests: it links in seconds, where one for each source
 # takes minutes. `ninja <Folder>Tests` builds it. Tests with the label `once` are part of it only if PENUMBRA_TEST_ONCE
 # is ON, and so are the cases in Testing/once.txt; tests with OWN only if PENUMBRA_TEST_OWN is ON.
-include(GoogleTest)
 
-# The semicolons are escaped because gtest_discover_tests() treats them as argument separators.
 # intercept_tls_get_addr: GCC 12's sanitizers mistake thread-local blocks at a certain page offset for those
 # of an older glibc, and the leak check crashes (fixed in GCC 14).
-string(JOIN "\\;" penumbra_test_environment
+set(penumbra_test_environment
   "VTK_DEFAULT_OPENGL_WINDOW=${PENUMBRA_WINDOW}"
   "ASAN_OPTIONS=intercept_tls_get_addr=0"
   "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/leaks.supp:print_suppressions=0"
   "UBSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/undefined.supp:print_stacktrace=1")
 
 # The cases in Testing/once.txt, as a filter of GoogleTest.
-set(penumbra_test_filter "")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Testing/once.txt")
 if (NOT PENUMBRA_TEST_ONCE)
   file(STRINGS "${PROJECT_SOURCE_DIR}/Testing/once.txt" penumbra_once_cases REGEX "^[A-Za-z]")
-  set(penumbra_test_filter TEST_FILTER "-")
+  set(penumbra_test_filter "GTEST_FILTER=-")
   foreach (case IN LISTS penumbra_once_cases)
     string(APPEND penumbra_test_filter "${case}:*/${case}/*:")
   endforeach ()
+  list(APPEND penumbra_test_environment "${penumbra_test_filter}")
 endif ()
 
 # The launcher ends a test after this time with its stack printed, and reports processes that it leaves behind.
@@ -51,20 +49,6 @@ function (penumbra_test_program output labels)
   set(${output} "${program}Tests" PARENT_SCOPE)
 endfunction ()
 
-function (penumbra_add_test_program program labels)
-  add_executable(${program})
-  set_target_properties(${program} PROPERTIES
-    LINKER_LANGUAGE CXX
-    CROSSCOMPILING_EMULATOR "${penumbra_test_launcher}")
-  target_link_libraries(${program} PRIVATE penumbra_test_main)
-  add_dependencies(${program} penumbra-run-limited)
-  gtest_discover_tests(${program} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 300
-    ${penumbra_test_filter}
-    PROPERTIES
-      LABELS "${labels}"
-      ENVIRONMENT "${penumbra_test_environment}")
-endfunction ()
-
 function (penumbra_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "OWN" "" "SOURCES;LABELS;MODULES")
   if (NOT arg_LABELS)
@@ -76,7 +60,10 @@ function (penumbra_test name)
   endif ()
   penumbra_test_program(program "${arg_LABELS}")
   if (NOT TARGET ${program})
-    penumbra_add_test_program(${program} "${arg_LABELS}")
+    add_executable(${program})
+    set_target_properties(${program} PROPERTIES LINKER_LANGUAGE CXX)
+    target_link_libraries(${program} PRIVATE penumbra_test_main)
+    add_dependencies(${program} penumbra-run-limited)
   endif ()
 
   # Sources that several tests name are compiled with the first of them.
@@ -91,4 +78,7 @@ function (penumbra_test name)
   # Takes half the time of -O3 to compile; the time of tests is spent in the modules and references.
   target_compile_options(${name} PRIVATE -O1)
   target_link_libraries(${program} PRIVATE ${name})
+
+  add_test(NAME ${name} COMMAND ${penumbra_test_launcher} $<TARGET_FILE:${program}> ${name})
+  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" ENVIRONMENT "${penumbra_test_environment}")
 endfunction ()

@@ -127,6 +127,9 @@ TEST(MissingOpenGL, PrintsOneLineError)
 
 TEST(Output, IsCompleteOrMissingOnFullDisk)
 {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "VTK's TIFF library leaks a file that it cannot write.";
+#endif
   const Folder folder("full-disk");
   WriteSpheres(folder.Path);
   const std::vector<std::string> before = folder.List();
