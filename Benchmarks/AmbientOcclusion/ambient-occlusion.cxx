@@ -32,7 +32,7 @@ int main(int argc, char** argv)
     { "traced", [&] { MeasureTraced(benchmark); } },
   };
   const int status = program.Run(argc, argv, benchmark.Results, benchmark.Output, [&] {
-    return std::vector<std::string>{ DescribeFrameClock() + "; 1024x768",
+    return std::vector<std::string>{ "one thread, " + DescribeFrameClock() + "; 1024x768",
       "reference: " + std::to_string(benchmark.Rays * benchmark.Rays) + " rays at every " +
         std::to_string(benchmark.Stride) + "th foreground pixel in both directions" };
   });

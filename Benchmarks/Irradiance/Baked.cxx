@@ -72,10 +72,10 @@ Baked BakeIt(vtkPolyData* mesh, double tolerance, int method, const Truth& truth
   filter->SetRadius(VTK_DOUBLE_MAX);
   filter->SetMethod(method);
   filter->SetNumberOfThreads(1);
-  const double start = Seconds();
+  const double start = FrameSeconds();
   filter->Update();
   Baked baked;
-  baked.Seconds = Seconds() - start;
+  baked.Seconds = FrameSeconds() - start;
   baked.Mesh = vtkPolyData::SafeDownCast(filter->GetOutput());
   vtkDataArray* values = baked.Mesh->GetPointData()->GetArray("AmbientOcclusion");
   for (std::size_t i = 0; i < truth.Ids.size(); ++i)

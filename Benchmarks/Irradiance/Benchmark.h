@@ -5,9 +5,9 @@
 #ifndef penumbra_irradiance_Benchmark_h
 #define penumbra_irradiance_Benchmark_h
 
+#include "Occlusion/FrameClock.h"
 #include "ResultTable.h"
 
-#include <ctime>
 #include <string>
 #include <vector>
 
@@ -41,12 +41,6 @@ void MeasureGatherers(IrradianceBenchmark& benchmark);
 
 /// A tree of one million records.
 void MeasureRecords(IrradianceBenchmark& benchmark);
-
-/// CPU seconds of this process.
-inline double Seconds()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 }
 #endif

@@ -60,7 +60,7 @@ Looks LookAround(const Gatherer& gatherer, int side, const std::vector<glm::vec3
   Looks looks;
   gatherer.SampleHemisphere(
     points.front(), frame, grid, 0, directions, sights); // allocates tables and compiles shaders
-  const double start = Seconds();
+  const double start = FrameSeconds();
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const auto seed = MixBits(static_cast<std::uint32_t>(i));
@@ -72,7 +72,7 @@ Looks LookAround(const Gatherer& gatherer, int side, const std::vector<glm::vec3
     }
     looks.Means.push_back(sum / grid.Cells());
   }
-  looks.Seconds = (Seconds() - start) / static_cast<double>(points.size());
+  looks.Seconds = (FrameSeconds() - start) / static_cast<double>(points.size());
   return looks;
 }
 

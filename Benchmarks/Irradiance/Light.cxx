@@ -105,9 +105,9 @@ void MeasureRoom(IrradianceBenchmark& benchmark, int space)
   vtkNew<vtkPenumbraIrradianceCache> cache;
   cache->SetTolerance(RoomTolerance);
   cache->SetSpace(space);
-  const double start = Seconds();
+  const double start = FrameSeconds();
   cache->BeginIrradiance(light, 1.0);
-  const double placing = Seconds() - start;
+  const double placing = FrameSeconds() - start;
   long long own = 0;
   std::vector<glm::dvec3> image(static_cast<std::size_t>(Size) * Size, glm::dvec3(1.0));
   for (const Asked& place : Look(rays, 1))
@@ -116,7 +116,7 @@ void MeasureRoom(IrradianceBenchmark& benchmark, int space)
       truth.Albedo * place.Reflectance / Pi * Ask(cache, place, own) / WhiteOfImage;
     image[place.Pixel] = glm::pow(reflected, glm::dvec3(1.0 / 2.2));
   }
-  const double seconds = Seconds() - start;
+  const double seconds = FrameSeconds() - start;
   WriteImage(benchmark.Output + (onScreen ? "/box-screen.png" : "/box.png"), Size, image);
 
   long long ignored = 0;

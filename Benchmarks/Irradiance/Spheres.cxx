@@ -97,13 +97,13 @@ struct Outcome
 Outcome Ask(const vtkPenumbraIrradianceProvider* source, const std::vector<Point>& points)
 {
   std::vector<double> answers;
-  const double start = Seconds();
+  const double start = FrameSeconds();
   for (const Point& point : points)
   {
     answers.push_back(source->Occlusion(&point.Position.x, &point.Normal.x).Value);
   }
   Outcome outcome;
-  outcome.Seconds = Seconds() - start;
+  outcome.Seconds = FrameSeconds() - start;
   double squares[2] = { 0.0, 0.0 };
   double counts[2] = { 0.0, 0.0 };
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -146,9 +146,9 @@ void MeasureOnScreen(ResultTable& table, const std::string& name, const RayScene
 {
   vtkNew<vtkPenumbraIrradianceCache> cache;
   cache->SetSpace(vtkPenumbraIrradianceCache::SCREEN);
-  const double start = Seconds();
+  const double start = FrameSeconds();
   cache->Begin(rays, Infinity, 2.0 * tolerance);
-  const double placing = Seconds() - start;
+  const double placing = FrameSeconds() - start;
   const Outcome outcome = Ask(cache, points);
   table.Add(name, "screen space: records", CountOf(cache, "Cache/Records"), TargetKind::None);
   table.Add(
@@ -175,9 +175,9 @@ void MeasureSpheres(IrradianceBenchmark& benchmark)
     for (const double tolerance : { .05, .02, .01, .005, .002 })
     {
       vtkNew<vtkPenumbraIrradianceCache> cache;
-      const double start = Seconds();
+      const double start = FrameSeconds();
       cache->Begin(rays, Infinity, 2.0 * tolerance); // as a ray caster with this tolerance does
-      const double placing = Seconds() - start;
+      const double placing = FrameSeconds() - start;
       const Outcome outcome = Ask(cache, points);
       kept += outcome.All <= tolerance ? 1 : 0;
       ++tried;

@@ -16,10 +16,11 @@ int main(int argc, char** argv)
   program.Name = "irradiance";
   program.Title = "Irradiance cache: measurements and targets";
   program.Usage = "--meshes FOLDER --output FOLDER [--radiance PYTHON] [--meshlab PYTHON]\n"
-                  "         [--only spheres|forms|light|baking|gatherers|records]";
+                  "         [--only spheres|forms|light|baking|gatherers|records] [--elapsed]";
   program.Values = { { "--meshes", &benchmark.Meshes, true },
     { "--output", &benchmark.Output, true }, { "--radiance", &benchmark.Radiance },
     { "--meshlab", &benchmark.MeshLab } };
+  program.Switches = { { "--elapsed", &FramesAreElapsed } };
   program.Parts = {
     { "spheres", [&] { MeasureSpheres(benchmark); } },
     { "forms", [&] { MeasureForms(benchmark); } },
@@ -30,7 +31,7 @@ int main(int argc, char** argv)
   };
   vtkSMPTools::Initialize(1);
   return program.Run(argc, argv, benchmark.Results, benchmark.Output, [] {
-    return std::vector<std::string>{ "one thread, CPU seconds",
+    return std::vector<std::string>{ "one thread, " + DescribeFrameClock(),
       "spheres: default settings, tolerance 0.005, all pixels of 1024 x 1024 more than 2 "
       "pixels from the sphere's silhouette",
       "brute force: every 16th pixel in both directions or every 400th point, a series of "
@@ -39,6 +40,6 @@ int main(int argc, char** argv)
       "of all "
       "their "
       "threads, without reading and acceleration structures",
-      "cube maps: software OpenGL (llvmpipe), including the CPU time of its threads" };
+      "cube maps: with OSMesa, the CPU time of its threads is included" };
   });
 }

@@ -27,7 +27,7 @@ int main(int argc, char** argv)
     { "motion", [&] { MeasureMotion(benchmark); } },
   };
   return program.Run(argc, argv, benchmark.Results, benchmark.Output, [] {
-    return std::vector<std::string>{ DescribeFrameClock(),
+    return std::vector<std::string>{ "one thread, " + DescribeFrameClock(),
       "reference of the pass: the ray caster's marched reference, 256 steps; its own reference: "
       "the closed form",
       "moving light and occluder: radiance is a fraction of the maximum, that of an infinitely "

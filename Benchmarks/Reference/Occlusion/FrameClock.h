@@ -30,7 +30,7 @@ inline double FrameSeconds()
 /// What a table's head says of the clock.
 inline std::string DescribeFrameClock()
 {
-  return FramesAreElapsed ? "elapsed seconds on a graphics card" : "OSMesa, one thread";
+  return FramesAreElapsed ? "elapsed seconds, graphics card" : "CPU seconds, OSMesa";
 }
 
 }
