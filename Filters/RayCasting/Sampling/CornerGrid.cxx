@@ -8,6 +8,17 @@
 
 namespace penumbra
 {
+namespace
+{
+
+/// Returns true if a block must be traced once more for one of the lights.
+bool Restart(std::vector<PenumbraNeighbors>& lights)
+{
+  return std::count_if(lights.begin(), lights.end(),
+           [](PenumbraNeighbors& neighbors) { return neighbors.Restart(); }) > 0;
+}
+
+}
 
 CornerGrid::CornerGrid(glm::ivec2 low, glm::ivec2 high, bool allocate, bool penumbrae)
   : Low(low),
@@ -67,20 +78,27 @@ void CornerGrid::TraceBlock(const CameraRayTracer& tracer, glm::ivec2 block, boo
     points[i] = glm::dvec2(p);
     active |= (p.x <= last.x && p.y <= last.y ? 1u : 0u) << i;
   }
-  if (packets && active != 0)
+  do
   {
-    tracer.TracePacket(points, active, samples, counts, 1.0, penumbrae, predictions);
+    if (packets && active != 0)
+    {
+      tracer.TracePacket(points, active, samples, counts, 1.0, penumbrae, predictions);
+    }
+    for (int i = 0; i < CameraRayTracer::PacketSize && !packets; ++i)
+    {
+      if (active >> i & 1u)
+      {
+        samples[i] = tracer.TraceSample(points[i], counts, 1.0, penumbrae, predictions);
+      }
+    }
   }
+  while (Restart(neighbors));
   for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
   {
     const glm::ivec2 p = first + glm::ivec2(i % BlockSide, i / BlockSide);
     if (!(active >> i & 1u))
     {
       continue;
-    }
-    if (!packets)
-    {
-      samples[i] = tracer.TraceSample(points[i], counts, 1.0, penumbrae, predictions);
     }
     if (penumbrae == 0)
     {

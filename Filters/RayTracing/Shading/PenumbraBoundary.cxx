@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PenumbraBoundary.h"
 
-#include "HemisphereSampling.h"
 #include "OwenSobolSequence.h"
 #include "RayTracingConstants.h"
 
@@ -19,11 +18,36 @@ constexpr float Pi = glm::pi<float>();
 /// Standard deviation of a uniform distribution over an interval of length 1.
 constexpr float UniformDeviation = 0.2887f;
 
+/// Half the length of a chord below which its cap is small. Without neighbors that have a boundary, a
+/// wire is as likely: the ends of the cap are found to this bracket, in radians, and points at this
+/// multiple of half the chord from its middle, at these angles in radians, must not belong to the cap.
+constexpr float SmallChord = 0.3f;
+constexpr float SmallCapBracket = 0.2f;
+constexpr float ClosureRadius = 1.5f;
+constexpr float ClosureAngle = 0.8f;
+
+/// Chosen by simulated annealing: few strips with widths of 1/8 and 1/16 of the diameter and few disks with
+/// a radius of 0.3 contain neither one of these points nor one of 8 points on the circumference.
+constexpr glm::vec2 SpreadPoints[InteriorPoints] = { { 0.422f, -0.539f }, { -0.061f, 0.122f },
+  { -0.291f, 0.673f }, { 0.246f, 0.384f }, { -0.071f, -0.471f }, { -0.592f, -0.326f },
+  { -0.494f, 0.109f }, { 0.683f, 0.078f } };
+
 }
 
 float CapArea(float half)
 {
   return (half - std::sin(half) * std::cos(half)) / Pi;
+}
+
+float ComputeCircleOffset(std::uint32_t seed)
+{
+  return 0.5f * Pi * NextFloat(seed);
+}
+
+glm::vec2 InteriorPointSet::At(std::uint32_t index) const
+{
+  const glm::vec2 point = SpreadPoints[(this->First + index) % InteriorPoints];
+  return point.x * this->Axis + point.y * glm::vec2(-this->Axis.y, this->Axis.x);
 }
 
 void PenumbraBoundary::SetEnds(glm::vec2 begin, glm::vec2 end)
@@ -91,7 +115,8 @@ bool PenumbraBoundary::FindEnd(
 
 bool PenumbraBoundary::Refine(int checkPoints)
 {
-  return this->NarrowEnds() && this->FindSagitta() && this->Check(checkPoints);
+  this->IsSupported = checkPoints < CheckPoints;
+  return this->NarrowEnds() && this->IsClosed() && this->FindSagitta() && this->Check(checkPoints);
 }
 
 bool PenumbraBoundary::NarrowEnds()
@@ -111,6 +136,27 @@ bool PenumbraBoundary::NarrowEnds()
       return false;
     }
     ((value == 1.f) == first ? bracket.y : bracket.x) = middle;
+  }
+  return true;
+}
+
+// A wire also hides a small part of the circumference.
+bool PenumbraBoundary::IsClosed() const
+{
+  if (this->IsSupported || this->HalfLength() > SmallChord)
+  {
+    return true;
+  }
+  const float around = std::cos(this->HalfAngle()) < 0.f ? 1.f : 0.f;
+  const float radius = ClosureRadius * this->HalfLength();
+  for (const float angle : { -ClosureAngle, 0.f, ClosureAngle })
+  {
+    const float across = radius * std::cos(angle);
+    const glm::vec2 point = this->At(radius * std::sin(angle), around > 0.f ? across : -across);
+    if (this->Visibility(point) != around)
+    {
+      return false;
+    }
   }
   return true;
 }
@@ -150,8 +196,10 @@ float PenumbraBoundary::HalfAngle() const
 
 bool PenumbraBoundary::IsWide() const
 {
-  return this->HalfLength() > 0.3f &&
-    std::max(this->Begin.y - this->Begin.x, this->End.y - this->End.x) > NarrowBracket;
+  const bool isSmall = this->HalfLength() <= SmallChord;
+  return (!isSmall || !this->IsSupported) &&
+    std::max(this->Begin.y - this->Begin.x, this->End.y - this->End.x) >
+    (isSmall ? SmallCapBracket : NarrowBracket);
 }
 
 float PenumbraBoundary::EstimateEndError() const

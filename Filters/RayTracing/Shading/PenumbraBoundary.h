@@ -5,6 +5,7 @@
 #ifndef penumbra_PenumbraBoundary_h
 #define penumbra_PenumbraBoundary_h
 
+#include "HemisphereSampling.h"
 #include "PenumbraNeighbors.h"
 
 #include <glm/glm.hpp>
@@ -31,6 +32,27 @@ inline bool IsBinary(float value)
 {
   return value == 0.f || value == 1.f;
 }
+
+/// Angle by which the points on the circumference and those inside are rotated, so that errors of
+/// neighbors are independent.
+float ComputeCircleOffset(std::uint32_t seed);
+
+/// Points inside the disk. Together with 8 points on the circumference, few wires and few small
+/// occluders are between them.
+class InteriorPointSet
+{
+public:
+  explicit InteriorPointSet(std::uint32_t seed)
+    : Axis(OnCircle(ComputeCircleOffset(seed))),
+      First(MixBits(seed))
+  {
+  }
+  glm::vec2 At(std::uint32_t index) const;
+
+private:
+  glm::vec2 Axis;
+  std::uint32_t First; ///< point with index 0
+};
 
 /// A circular arc between two points on the circumference. All positions are brackets that
 /// visibility tests make narrower. The circumference is visible from `Begin` counterclockwise to
@@ -79,6 +101,7 @@ private:
   float SignedDistance(glm::vec2 point) const;
   bool FindEnd(float angle, float width, float random, float before, glm::vec2& bracket) const;
   bool NarrowEnds();
+  bool IsClosed() const;
   bool BracketSagitta(float low, float high);
   bool FindSagitta();
   bool Check(int points) const;
@@ -90,6 +113,7 @@ private:
   glm::vec2 End{ 0.f };
   glm::vec2 Middle{ 0.f }; ///< bracket of the sagitta: hidden side of x, visible side of y
   float PredictedCurvature = 0.f;
+  bool IsSupported = false; ///< neighbors have one boundary, too
 };
 
 }

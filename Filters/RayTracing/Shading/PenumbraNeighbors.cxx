@@ -5,6 +5,7 @@
 #include "RayTracingConstants.h"
 
 #include <cmath>
+#include <utility>
 
 namespace penumbra
 {
@@ -18,6 +19,14 @@ constexpr float FullTurn = 6.2831853f;
 void PenumbraNeighbors::Add(const PenumbraArc& arc)
 {
   this->Entries.push_back({ this->Position, arc });
+}
+
+bool PenumbraNeighbors::Restart()
+{
+  PenumbraNeighbors next;
+  next.Complex = this->Complex;
+  std::swap(*this, next);
+  return next.Complex && next.IsDoubtful;
 }
 
 bool PenumbraNeighbors::Predict(PenumbraArc& arc) const

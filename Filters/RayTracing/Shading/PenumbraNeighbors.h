@@ -6,6 +6,8 @@
 #ifndef penumbra_PenumbraNeighbors_h
 #define penumbra_PenumbraNeighbors_h
 
+#include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
+
 #include <glm/glm.hpp>
 
 #include <vector>
@@ -22,7 +24,7 @@ struct PenumbraArc
 };
 
 /// Results at the points of one block, in the order in which they are estimated.
-class PenumbraNeighbors
+class VTKPENUMBRAFILTERSRAYTRACING_EXPORT PenumbraNeighbors
 {
 public:
   /// Sets the position of the next estimate.
@@ -32,7 +34,11 @@ public:
   void Add(const PenumbraArc& arc);
 
   /// Adds a point from which all of the light has the visibility `value`, 0 or 1.
-  void AddUniform(float value) { this->Uniform[value > 0.f ? 1 : 0] = true; }
+  void AddUniform(float value)
+  {
+    this->Uniform[value > 0.f ? 1 : 0] = true;
+    this->IsDoubtful = this->IsDoubtful || !this->Complex;
+  }
   bool HasUniform(float value) const { return this->Uniform[value > 0.f ? 1 : 0]; }
 
   /// Returns true if one boundary divides the light at a point.
@@ -41,6 +47,10 @@ public:
   /// Reports that the light is divided by more than one boundary.
   void SetComplex() { this->Complex = true; }
   bool IsComplex() const { return this->Complex; }
+
+  /// Discards the results. Returns true if the points of the block must be estimated once more: no boundary was found
+  /// at some of them before more than one was found at another.
+  bool Restart();
 
   /// Predicts the arc at the position by a linear fit. Returns false if there is no result yet.
   bool Predict(PenumbraArc& arc) const;
@@ -54,6 +64,7 @@ private:
   std::vector<Entry> Entries;
   glm::vec2 Position{ 0.f };
   bool Complex = false;
+  bool IsDoubtful = false; ///< a uniform result is wrong if another is complex
   bool Uniform[2] = { false, false };
 };
 

@@ -27,6 +27,8 @@ struct Result
   double Rmse = 0.0;
   double EstimatedRms = 0.0;
   double Rays = 0.0;
+  double Wrong =
+    0.0; ///< fraction of estimates that are off by more than two tolerances and four estimates
   long long MostRays = 0;
 };
 
@@ -126,7 +128,7 @@ TEST(VisibleFraction, MissesSomeWiresNarrowerThanAQuarterOfTheLight)
 {
   constexpr int Points = 2000;
   // Widths relative to the diameter of the light, and fractions of points with a wrong value and estimate.
-  const double rows[][2] = { { 0.5, 0.02 }, { 0.25, 0.03 }, { 0.125, 0.17 }, { 0.0625, 0.5 } };
+  const double rows[][2] = { { 0.5, 0.02 }, { 0.25, 0.025 }, { 0.125, 0.06 }, { 0.0625, 0.36 } };
   for (const auto& [width, bound] : rows)
   {
     int wrong = 0;
@@ -167,24 +169,35 @@ Result MeasureBlocks(const std::function<bool(float across)>& blocks,
     const float angle = static_cast<float>(2.0 * Pi) * NextFloat(random);
     const glm::vec2 normal(std::cos(angle), std::sin(angle));
     const float start = 1.6f * NextFloat(random) - 0.8f;
+    const auto computeOffset = [start](glm::vec2 position) {
+      return start + 0.02f * position.x - 0.03f * position.y;
+    };
     PenumbraNeighbors neighbors;
+    VisibleFraction fractions[16];
+    do
+    {
+      for (int i = 0; i < 16; ++i)
+      {
+        const glm::vec2 position(i % 4, i / 4);
+        neighbors.MoveTo(position);
+        const float offset = computeOffset(position);
+        fractions[i] = EstimateVisibleFraction(
+          [&](glm::vec2 at) {
+            result.Rays += 1.0 / (16 * Blocks);
+            return blocks(glm::dot(at, normal) - offset) ? 0.f : 1.f;
+          },
+          MixBits(random + static_cast<std::uint32_t>(i)), Tolerance, &neighbors);
+      }
+    }
+    while (neighbors.Restart());
     double before = 0.0;
     for (int i = 0; i < 16; ++i)
     {
-      const glm::vec2 position(i % 4, i / 4);
-      const float offset = start + 0.02f * position.x - 0.03f * position.y;
-      neighbors.MoveTo(position);
-      long long rays = 0;
-      const VisibleFraction fraction = EstimateVisibleFraction(
-        [&](glm::vec2 at) {
-          ++rays;
-          return blocks(glm::dot(at, normal) - offset) ? 0.f : 1.f;
-        },
-        MixBits(random + static_cast<std::uint32_t>(i)), Tolerance, &neighbors);
-      const double error = fraction.Value - computeExact(offset);
+      const double error = fractions[i].Value - computeExact(computeOffset({ i % 4, i / 4 }));
+      result.EstimatedRms += std::pow(fractions[i].Error, 2.0) / (16 * Blocks);
       result.Rmse += error * error / (16 * Blocks);
-      result.EstimatedRms += std::pow(fraction.Error, 2.0) / (16 * Blocks);
-      result.Rays += static_cast<double>(rays) / (16 * Blocks);
+      const double accepted = std::max<double>(2.f * Tolerance, 4.f * fractions[i].Error);
+      result.Wrong += std::abs(error) > accepted ? 1.0 / (16 * Blocks) : 0.0;
       products += i > 0 ? error * before / (15 * Blocks) : 0.0;
       before = error;
     }
@@ -223,6 +236,44 @@ TEST(VisibleFraction, OfCombIsDetectedByNeighbors)
     MeasureBlocks([](float across) { return std::fmod(1.5f * across + 16.f, 1.f) < 0.4f; },
       computeExact, correlation);
   EXPECT_LE(result.Rmse, 0.04);
+}
+
+TEST(VisibleFraction, OfWiresIsFoundByNeighbors)
+{
+  // Widths relative to the diameter of the light, and fractions of points with a wrong value and estimate.
+  const double rows[][2] = { { 0.25, 0.08 }, { 0.125, 0.065 }, { 0.0625, 0.07 }, { 0.03125, 0.13 } };
+  for (const auto& [width, bound] : rows)
+  {
+    const double wide = 2.0 * width;
+    double correlation = 1.0;
+    const Result result = MeasureBlocks([wide](float at) { return at > 0.f && at < wide; },
+      [wide](double at) { return 1.0 - DiskBeyondLine(at) + DiskBeyondLine(at + wide); },
+      correlation);
+    EXPECT_LE(result.Wrong, bound) << width;
+  }
+}
+
+TEST(VisibleFraction, OfSpotsIsMissedOnlyIfTheyAreSmall)
+{
+  constexpr int Points = 2000;
+  // Radii relative to that of the light, and fractions of points with a wrong value and estimate.
+  const double rows[][2] = { { 0.5, 0.0 }, { 0.3, 0.13 }, { 0.2, 0.6 } };
+  for (const auto& [radius, bound] : rows)
+  {
+    int wrong = 0;
+    for (int i = 0; i < Points; ++i)
+    {
+      std::uint32_t random = MixBits(static_cast<std::uint32_t>(i) + 1u);
+      const float distance = static_cast<float>((1.0 - radius) * std::sqrt(NextFloat(random)));
+      const float angle = static_cast<float>(2.0 * Pi) * NextFloat(random);
+      const glm::vec2 center = distance * glm::vec2(std::cos(angle), std::sin(angle));
+      const VisibleFraction found = EstimateVisibleFraction(
+        [&](glm::vec2 at) { return glm::distance(at, center) < radius ? 0.f : 1.f; }, random,
+        0.01f);
+      wrong += std::abs(found.Value - (1.0 - radius * radius)) > std::max(0.02, 4.0 * found.Error);
+    }
+    EXPECT_LE(wrong, bound * Points) << radius;
+  }
 }
 
 TEST(VisibleFraction, OfTranslucentOccluderIsItsTransmittance)
