@@ -61,6 +61,7 @@ StratifiedReference DrawStratified(
   ExtractionOptions options;
   options.Resolution[0] = width;
   options.Resolution[1] = height;
+  options.ClipToRange = !shadows; // as the ray caster does
   const Scene scene = ExtractScene(renderer, options);
   const RayScene rays(scene, 0);
   const Shading shading(rays, shadows);

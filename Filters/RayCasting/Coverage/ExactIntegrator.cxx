@@ -128,6 +128,23 @@ bool ExactIntegrator::IsConstantBehindMedium(const Sample& sample) const
       this->Pixel.Tracer.GetShading().IsConstantPerTriangle(sample.FirstHit.Surface));
 }
 
+// The value at the center of a square differs from its mean by 1/24 of its area times the sum of both
+// second derivatives. At the middle of a lit sphere, these are 1 over the squared radius.
+float ExactIntegrator::ComputeRoundVariation(const Hit& hit, float area) const
+{
+  if (!hit.IsHit() || !this->Pixel.GetScene().Surfaces[hit.Surface].IsRound())
+  {
+    return 0.f;
+  }
+  const Camera& camera = this->Pixel.GetScene().ViewCamera;
+  const RoundShape shape =
+    this->Pixel.GetScene().Surfaces[hit.Surface].GetRoundShape(hit.Primitive);
+  const double footprint =
+    camera.PixelSize * (camera.Parallel ? 1.0 : hit.Distance + camera.DepthOfRayOrigins());
+  const double inverse = footprint / std::max(shape.RadiusA, shape.RadiusB);
+  return static_cast<float>(area * inverse * inverse / 12.0);
+}
+
 PixelResult ExactIntegrator::ComputeFaceColor(std::size_t index)
 {
   const PixelArrangement::Face face = this->Arrangement.GetFaces()[index];
@@ -177,9 +194,10 @@ PixelResult ExactIntegrator::ComputeFaceColor(std::size_t index)
   // The face is one surface, so the differences between its corners and the sample estimate the
   // variation of the color. A face without corners is assumed to vary by UnknownVariation.
   const bool unknown = !inside || this->Pixel.IsNearShadowBoundary();
-  const float variation =
-    std::max(unknown ? UnknownVariation : 0.f, this->Pixel.ComputeVariation(inside, sample));
   const float area = static_cast<float>(face.Area);
+  const float variation =
+    std::max({ unknown ? UnknownVariation : 0.f, this->Pixel.ComputeVariation(inside, sample),
+      this->ComputeRoundVariation(sample.FirstHit, area) });
   const float limit = static_cast<float>(this->Pixel.Settings.Tolerance + 2.0 * this->Pixel.Noise);
   // Occlusion and light shafts are expensive and rarely discontinuous. With them, a face is not
   // split because of an assumed variation.

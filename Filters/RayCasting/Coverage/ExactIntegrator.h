@@ -44,6 +44,8 @@ private:
   void ProbeTrapezoids();
   bool IsConstant(const Sample& sample) const;
   bool IsConstantBehindMedium(const Sample& sample) const;
+  /// Returns how much the color of a round surface with little contrast may vary over a face.
+  float ComputeRoundVariation(const Hit& hit, float area) const;
   PixelResult ComputeFaceColor(std::size_t face);
   PixelResult SplitFace(std::size_t face);
   void SplitTrapezoid(const PixelArrangement::Trapezoid& trapezoid, glm::dvec2 low, double side,

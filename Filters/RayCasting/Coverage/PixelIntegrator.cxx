@@ -106,7 +106,8 @@ std::optional<PixelResult> PixelIntegrator::IntegrateCorners()
     const float error = this->Pixel.EstimateCurvatureError();
     const bool empty = !this->Pixel.Corners[0].FirstHit.IsHit() && !this->Pixel.Tracer.HasShafts();
     if (empty ||
-      (error <= 0.25f * this->Pixel.Settings.Tolerance && !this->Pixel.IsNearShadowBoundary()))
+      (error <= 0.25f * this->Pixel.Settings.Tolerance && !this->Pixel.IsNearShadowBoundary() &&
+        !this->Pixel.IsIsolated()))
     {
       ++(empty ? this->Pixel.Pixels.Empty : this->Pixel.Pixels.Interior);
       result.Color = empty && this->Pixel.Tracer.HasBackgroundImage()

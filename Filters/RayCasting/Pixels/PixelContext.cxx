@@ -4,6 +4,7 @@
 
 #include "PixelErrors.h"
 #include "Scene.h"
+#include "Surface.h"
 
 namespace penumbra
 {
@@ -65,6 +66,30 @@ bool PixelContext::CornersAgree() const
     }
   }
   return true;
+}
+
+bool PixelContext::IsIsolated() const
+{
+  const Hit hit = this->Corners[0].FirstHit;
+  if (!hit.IsHit())
+  {
+    return false;
+  }
+  const bool isRound = this->GetScene().Surfaces[hit.Surface].IsRound();
+  const auto isOnSurface = [&](glm::ivec2 q) {
+    if (glm::any(glm::lessThan(q, this->Grid.GetLow())) ||
+      glm::any(glm::greaterThan(q, this->Grid.GetHigh())))
+    {
+      return false;
+    }
+    const Hit other = this->Grid.At(q.x, q.y).FirstHit;
+    return other.Surface == hit.Surface && (!isRound || other.Primitive == hit.Primitive);
+  };
+  const glm::ivec2 p = this->Position;
+  return !((isOnSurface(p + glm::ivec2(-1, 0)) || isOnSurface(p + glm::ivec2(2, 0)) ||
+             isOnSurface(p + glm::ivec2(-1, 1)) || isOnSurface(p + glm::ivec2(2, 1))) &&
+    (isOnSurface(p + glm::ivec2(0, -1)) || isOnSurface(p + glm::ivec2(0, 2)) ||
+      isOnSurface(p + glm::ivec2(1, -1)) || isOnSurface(p + glm::ivec2(1, 2))));
 }
 
 // The error of the mean of four corners is (f_xx + f_yy) / 12. Second differences with the

@@ -55,6 +55,11 @@ public:
   /// are set in `corners`; at least 1 if one of them is on another surface.
   float ComputeVariation(unsigned int corners, const Sample& sample) const;
 
+  /// Returns true if the corners are on a surface that no further corner shows along one of the
+  /// axes. Second differences are unknown then: the corners of a small sphere agree if it is in the
+  /// middle of the pixel.
+  bool IsIsolated() const;
+
   /// Estimates the error of the mean of the corners from second differences.
   float EstimateCurvatureError() const;
 

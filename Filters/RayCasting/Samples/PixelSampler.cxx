@@ -104,7 +104,7 @@ std::optional<PixelResult> PixelSampler::SampleFaces(bool isUnknown)
     this->Pixel.RetraceCornersOnEdges();
     const bool agree = this->Pixel.CornersAgree() || this->Pixel.RetraceIsolatedMiss();
     SampledPixel& pixel = this->AddPixel();
-    if (agree && !isUnknown)
+    if (agree && !isUnknown && !this->Pixel.IsIsolated())
     {
       pixel.Result.Color = ComputeMean(this->Pixel.Corners);
       this->Pixel.SetErrors(
