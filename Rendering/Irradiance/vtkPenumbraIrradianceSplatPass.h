@@ -74,8 +74,10 @@ public:
   void CopyResult(vtkImageData* image);
 
   /**
-   * Statistics of the last frame: `Cache/Records`, the number of records rendered, and
-   * `Pixels/Interpolated`, the fraction of the surface pixels that at least one record covers.
+   * Statistics of the last frame: `Cache/Records`, the number of records rendered;
+   * `Pixels/Interpolated`, the fraction of the surface pixels that at least one record covers;
+   * `Pixels/Invalid`, the fraction at which an invalid record has the largest weight. There the
+   * cache would trace rays, and the error of the interpolated value is unknown.
    */
   vtkFieldData* GetStatistics();
 
@@ -93,6 +95,7 @@ private:
   void operator=(const vtkPenumbraIrradianceSplatPass&) = delete;
 
   bool ReadRecords();
+  float GetAngle() const; ///< maximum angle between normals, radians
   bool RenderSplats(const vtkRenderState* state);
 
   struct Internals;

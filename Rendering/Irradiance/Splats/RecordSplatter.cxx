@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RecordSplatter.h"
 
+#include "Frame/BackgroundDepth.h"
 #include "Frame/OpenGLFunctions.h"
 #include "Frame/Uniforms.h"
 #include "Records/RecordOctree.h"
@@ -50,8 +51,8 @@ void AppendTexels(std::vector<glm::vec4>& texels, const Record& record, int chan
   }
 }
 
-/// Sets the transforms between record and eye coordinates.
-void SetTransforms(vtkShaderProgram* program, const ScreenTransform& view, glm::dvec3 origin)
+/// Returns the transform from record to eye coordinates, in double precision: both translations may be large.
+glm::dmat4 ComputeRecordsToEye(const ScreenTransform& view, glm::dvec3 origin)
 {
   glm::dmat4 toEye;
   for (int row = 0; row < 4; ++row)
@@ -61,7 +62,14 @@ void SetTransforms(vtkShaderProgram* program, const ScreenTransform& view, glm::
       toEye[column][row] = view.WorldToEye[4 * row + column];
     }
   }
-  toEye[3] = toEye * glm::dvec4(origin, 1.0); // in double precision: both translations may be large
+  toEye[3] = toEye * glm::dvec4(origin, 1.0);
+  return toEye;
+}
+
+/// Sets the transforms between record and eye coordinates.
+void SetTransforms(vtkShaderProgram* program, const ScreenTransform& view, glm::dvec3 origin)
+{
+  const glm::dmat4 toEye = ComputeRecordsToEye(view, origin);
   const glm::dmat3 linear(toEye);
   glm::mat4 recordsToEye(toEye);
   glm::mat3 eyeToRecords(glm::inverse(linear));
@@ -222,6 +230,47 @@ bool RecordSplatter::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& im
   this->Mean.BindTexture("gradients2", this->SplatSums[single ? 2 : 4]);
   this->Mean.Draw();
   return true;
+}
+
+std::size_t RecordSplatter::CountInvalidPixels(const ScreenTransform& view, float normalAngle)
+{
+  RecordOctree octree;
+  float half = 0.f;
+  for (const Record& record : this->Records)
+  {
+    const glm::vec3 size = glm::abs(record.Position);
+    half = std::max({ half, size.x, size.y, size.z });
+  }
+  octree.Initialize(glm::vec3(0.f), half);
+  octree.SetNormalAngle(normalAngle);
+  for (const Record& record : this->Records)
+  {
+    octree.Insert(record);
+  }
+  const glm::dmat4 toEye = ComputeRecordsToEye(view, this->Origin);
+  const glm::dmat4 toRecords = glm::inverse(toEye);
+  const glm::mat3 normalToRecords(glm::transpose(glm::dmat3(toEye)));
+  const std::vector<float> surfaces = ReadBack(this->Surfaces);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < surfaces.size() / 4; ++i)
+  {
+    const float* const surface = &surfaces[4 * i];
+    const double depth = surface[3];
+    if (!(depth < BackgroundDepth))
+    {
+      continue;
+    }
+    const glm::dvec2 pixel(
+      static_cast<double>(i % view.Width) + .5, static_cast<double>(i / view.Width) + .5);
+    const glm::dvec2 plane(view.Scale[0] * pixel.x + view.Offset[0] + view.Skew * pixel.y,
+      view.Scale[1] * pixel.y + view.Offset[1]);
+    const glm::dvec4 eye((view.Parallel ? 1.0 : depth) * plane, -depth, 1.0);
+    ShadingPoint point;
+    point.Position = toRecords * eye;
+    point.Normal = glm::normalize(normalToRecords * glm::vec3(surface[0], surface[1], surface[2]));
+    count += octree.MaximumWeightAt(point) > 0.f && !octree.LookUp(point).Found() ? 1 : 0;
+  }
+  return count;
 }
 
 void RecordSplatter::ReleaseGraphicsResources(vtkWindow* window)

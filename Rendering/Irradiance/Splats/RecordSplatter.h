@@ -36,6 +36,10 @@ public:
   bool Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* eyeDepths,
     float normalAngle, vtkTextureObject* means);
 
+  /// Returns the number of pixels of the last frame at which an invalid record has the largest weight: values of
+  /// other records are wrong there.
+  std::size_t CountInvalidPixels(const ScreenTransform& view, float normalAngle);
+
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:

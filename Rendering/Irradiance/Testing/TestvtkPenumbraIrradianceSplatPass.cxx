@@ -16,6 +16,7 @@
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -250,6 +252,51 @@ TEST(vtkPenumbraIrradianceSplatPass, MatchesTheIrradianceOfTheCache)
     EXPECT_LT(difference.Rms, 1.5 / 255.0) << channel;
     EXPECT_LT(difference.FractionAbove, .02) << channel;
   }
+}
+
+TEST(vtkPenumbraIrradianceSplatPass, ReportsPixelsOfInvalidRecords)
+{
+  CachedScene scene;
+  scene.AddWall({ -4, -4, 0 }, { 8, 0, 0 }, { 0, 8, 0 });
+  scene.SetCamera({ 0, -1e-3, 5 }, { 0, 0, 0 });
+  scene.UseParallelProjection(true, 2.5);
+  scene.CastRays();
+  ASSERT_GT(scene.Records->GetNumberOfPoints(), 0);
+  // Two equal records, of which the second one is invalid.
+  constexpr double Radius = 2.0;
+  for (int i = 0; i < scene.Records->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = scene.Records->GetPointData()->GetArray(i);
+    array->InsertTuple(1,
+      std::vector<double>(array->GetTuple(0), array->GetTuple(0) + array->GetNumberOfComponents())
+        .data());
+    array->SetNumberOfTuples(2);
+  }
+  scene.Records->GetPoints()->SetNumberOfPoints(2);
+  for (int i = 0; i < 2; ++i)
+  {
+    scene.Records->GetPoints()->SetPoint(i, i == 0 ? -1.0 : 1.0, 0.0, 0.0);
+    scene.Records->GetPointData()->GetArray("Radius")->SetComponent(i, 0, Radius);
+    scene.Records->GetPointData()->GetArray("Serves")->SetComponent(i, 0, 1.0 - i);
+  }
+  scene.Records->Modified();
+  vtkFieldData* statistics = scene.Splat()->GetStatistics();
+
+  double interpolated = 0.0;
+  double invalid = 0.0;
+  for (int i = 0; i < ImageWidth * ImageHeight; ++i)
+  {
+    const double x = 5.0 * (i % ImageWidth + .5 - .5 * ImageWidth) / ImageHeight;
+    const double y = 5.0 * (i / ImageWidth + .5 - .5 * ImageHeight) / ImageHeight;
+    const double distances[] = { std::hypot(x + 1.0, y), std::hypot(x - 1.0, y) };
+    interpolated += std::min(distances[0], distances[1]) < Radius ? 1.0 : 0.0;
+    invalid += distances[1] < std::min(distances[0], Radius) ? 1.0 : 0.0;
+  }
+  const auto get = [&](const char* name) {
+    return statistics->GetArray(name)->GetComponent(0, 0) * ImageWidth * ImageHeight;
+  };
+  EXPECT_NEAR(get("Pixels/Interpolated"), interpolated, .01 * interpolated);
+  EXPECT_NEAR(get("Pixels/Invalid"), invalid, .02 * invalid);
 }
 
 TEST(vtkPenumbraIrradianceSplatPass, DarkensTheColorsOfItsDelegate)
