@@ -80,6 +80,9 @@ void MeasureTraced(OcclusionBenchmark& benchmark);
 /// vtkSSAOPass.
 void MeasureCost(OcclusionBenchmark& benchmark);
 
+/// Errors and times of frames in fast turns.
+void MeasureTurns(OcclusionBenchmark& benchmark);
+
 /// Bytes per pixel.
 void MeasureMemory(OcclusionBenchmark& benchmark);
 

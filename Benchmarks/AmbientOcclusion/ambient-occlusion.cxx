@@ -17,8 +17,8 @@ int main(int argc, char** argv)
   program.Name = "ambient-occlusion";
   program.Title = "Ambient occlusion in OpenGL images: measurements and targets";
   program.Usage = "--meshes FOLDER --output FOLDER\n"
-                  "         [--only accuracy|memory|cost|noise|ranks|settling|traced] [--scene "
-                  "NAME] [--diagnose] [--elapsed]";
+                  "         [--only accuracy|memory|cost|noise|ranks|settling|traced|turns] "
+                  "[--scene NAME] [--diagnose] [--elapsed]";
   program.Values = { { "--meshes", &benchmark.Meshes, true },
     { "--output", &benchmark.Output, true }, { "--scene", &benchmark.Scene, false } };
   program.Switches = { { "--diagnose", &benchmark.Diagnose }, { "--elapsed", &FramesAreElapsed } };
@@ -30,6 +30,7 @@ int main(int argc, char** argv)
     { "ranks", [&] { MeasureRanks(benchmark); } },
     { "settling", [&] { MeasureSettling(benchmark); } },
     { "traced", [&] { MeasureTraced(benchmark); } },
+    { "turns", [&] { MeasureTurns(benchmark); } },
   };
   const int status = program.Run(argc, argv, benchmark.Results, benchmark.Output, [&] {
     return std::vector<std::string>{ "one thread, " + DescribeFrameClock() + "; 1024x768",

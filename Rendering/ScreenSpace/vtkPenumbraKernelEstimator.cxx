@@ -11,6 +11,7 @@
 #include "vtkPenumbraHemisphereLib.h"
 #include "vtkPenumbraHistoryLengthLib.h"
 #include "vtkPenumbraKernels.h"
+#include "vtkPenumbraMotionQualityLib.h"
 #include "vtkPenumbraStaticQualityLib.h"
 #include "vtkPenumbraSurfaceLib.h"
 #include "vtkPenumbraViewLib.h"
@@ -92,8 +93,14 @@ void SetPoints(vtkShaderProgram* program, const Points& points)
 
 struct vtkPenumbraKernelEstimator::Internals
 {
-  penumbra::Stage Stage;
-  std::string Source;
+  /// Estimates of a view that rests, and of one that turns fast.
+  struct Quality
+  {
+    penumbra::Stage Stage;
+    std::string Source;
+  };
+  Quality Static;
+  Quality Motion;
   struct Measurement
   {
     penumbra::GradualThickness Thickness;
@@ -131,7 +138,8 @@ void vtkPenumbraKernelEstimator::SetKernel(int kernel)
   else if (kernel != this->Kernel)
   {
     this->Kernel = kernel;
-    this->Implementation->Source.clear();
+    this->Implementation->Static.Source.clear();
+    this->Implementation->Motion.Source.clear();
     this->Modified();
   }
 }
@@ -218,12 +226,15 @@ int vtkPenumbraKernelEstimator::SetUniforms(const Request& request, vtkShaderPro
 
 int vtkPenumbraKernelEstimator::Estimate(const Request& request, vtkTextureObject* target)
 {
-  Internals& state = *this->Implementation;
+  Internals::Quality& state =
+    request.Moving ? this->Implementation->Motion : this->Implementation->Static;
   if (state.Source.empty())
   {
     state.Source = penumbra::Assemble(vtkPenumbraEstimateFS,
       { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
-        { "EstimateLib", this->GetShader() }, { "QualityLib", vtkPenumbraStaticQualityLib } });
+        { "EstimateLib", this->GetShader() },
+        { "QualityLib",
+          request.Moving ? vtkPenumbraMotionQualityLib : vtkPenumbraStaticQualityLib } });
   }
   vtkShaderProgram* program = state.Stage.Ready(request.Window, state.Source);
   const penumbra::ScopedRenderTarget renderTarget(
@@ -249,7 +260,8 @@ int vtkPenumbraKernelEstimator::Estimate(const Request& request, vtkTextureObjec
 void vtkPenumbraKernelEstimator::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Implementation->Thicknesses.clear();
-  this->Implementation->Stage.ReleaseGraphicsResources(window);
+  this->Implementation->Static.Stage.ReleaseGraphicsResources(window);
+  this->Implementation->Motion.Stage.ReleaseGraphicsResources(window);
 }
 
 void vtkPenumbraKernelEstimator::PrintSelf(ostream& os, vtkIndent indent)

@@ -110,12 +110,18 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   {
     return false;
   }
-  if (change == EyeDepth::Change::Moved && settings.Constants.DepthTolerance < 1.0 &&
-    view.IsCutFrom(this->Depth.GetPreviousView(), this->Renderer->GetActiveCamera()->GetDistance(),
-      estimator->NeedsMargin() ? MinimumUncutCosine : MinimumUncutCosineOfRays))
+  this->TurnsFast = false;
+  if (change == EyeDepth::Change::Moved && settings.Constants.DepthTolerance < 1.0)
   {
+    const auto isCut = [&](double minimumCosine) {
+      return view.IsCutFrom(this->Depth.GetPreviousView(),
+        this->Renderer->GetActiveCamera()->GetDistance(), minimumCosine);
+    };
+    const bool isOtherView = isCut(MinimumUncutCosineOfRays);
     // A kernel finds other occluders from the new viewpoint, so a short new history is more accurate.
-    change = EyeDepth::Change::Reset;
+    this->TurnsFast = !isOtherView && !settings.InOneRender && estimator->NeedsMargin() &&
+      isCut(MinimumUncutCosine);
+    change = isOtherView || this->TurnsFast ? EyeDepth::Change::Reset : change;
   }
   this->Changed = change != EyeDepth::Change::None;
   if (this->Changed)
@@ -124,8 +130,9 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
     // convergence.
     change = settings.InOneRender ? EyeDepth::Change::Reset : change;
     this->Converged = false;
-    this->TileConvergence.Restart(
-      change == EyeDepth::Change::Reset ? 0.0 : settings.Constants.InvalidationWeight);
+    this->TileConvergence.Restart(change == EyeDepth::Change::Reset && !this->TurnsFast
+        ? 0.0
+        : settings.Constants.InvalidationWeight);
   }
   if (change == EyeDepth::Change::Reset)
   {
@@ -305,7 +312,7 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
   request.Parts = refine && this->TileConvergence.HasTileErrors()
     ? &this->TileConvergence.GetActiveTiles()
     : &this->InnerRegion;
-  request.Moving = change == EyeDepth::Change::Moved && this->TotalSamples > 0;
+  request.Moving = (change == EyeDepth::Change::Moved && this->TotalSamples > 0) || this->TurnsFast;
   // While the view moves, there are always disoccluded pixels with few samples.
   request.RotatePerPixel = request.Moving || convergence < constants.RotationConvergence;
   if (byPixel && !settings.SceneChanged)
@@ -327,7 +334,7 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
   this->NewSamples += samples;
   this->DisocclusionSamples =
     byPixel ? std::max(constants.FirstSamples, samples) : this->NewSamples;
-  if (change != EyeDepth::Change::Moved)
+  if (change != EyeDepth::Change::Moved && !this->TurnsFast)
   {
     this->TileConvergence.Add(samples, this->Image.GetView().Width, this->InnerRegion.front(),
       settings.Tolerance, [this]() { return this->ReadMeans(); });

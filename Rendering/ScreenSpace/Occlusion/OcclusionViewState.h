@@ -123,6 +123,7 @@ private:
   bool Filtered = false;         ///< Estimates are filtered with the current settings
   bool StoredFrameValid = false; ///< StoredFrame was composited with the current settings
   bool Converged = false;
+  bool TurnsFast = false; ///< too fast to use the history of a kernel
   bool Changed = true;
 };
 
