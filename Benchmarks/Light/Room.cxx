@@ -159,7 +159,7 @@ std::vector<glm::dvec3> FindReference(
   vtkNew<vtkPenumbraBruteForceIrradiance> provider;
   provider->SetMinimumRays(ReferenceRays);
   provider->SetMaximumRays(ReferenceRays);
-  provider->BeginIrradiance(light, 1.0);
+  provider->BeginIrradiance(light, 0.0);
   std::vector<glm::dvec3> means;
   long long rays = 0;
   for (const ImagePoint& point : queried)

@@ -351,12 +351,12 @@ bool vtkPenumbraIrradianceCache::BeginIrradiance(
   settings.KeepAllValid = true;
   settings.CoverageWeight = MinimumLightWeight;
   settings.ClampReached = true;
-  self.Light =
-    std::make_unique<Interreflection>(light, settings, Internals::NormalAngle(this, settings));
   if (settings.Side == 0)
   {
     settings.Side = RecordPlacement::ComputeSide(GridNoise * settings.Tolerance);
   }
+  self.Light =
+    std::make_unique<Interreflection>(light, settings, Internals::NormalAngle(this, settings));
   settings.Tolerance *= HessianErrorFraction;
   const auto before = [&](double fraction) {
     return progress && progress(ReflectionProgress * fraction);

@@ -100,7 +100,9 @@ bool RenderJob::BeginProvider(const ProgressCallback& progress, const WarningFun
   {
     return true;
   }
-  this->Light = std::make_shared<const Illumination>(this->Rays, wanted.Light);
+  const auto light = std::make_shared<Illumination>(this->Rays, wanted.Light);
+  light->AcceptNoise(this->GetEffectTolerance() / wanted.Light.Albedo, FirstSiteRays);
+  this->Light = light;
   this->WarnOfMissingLight(warn);
   return wanted.Provider->BeginIrradiance(*this->Light, this->GetSampleIrradianceTolerance(), part);
 }

@@ -277,6 +277,7 @@ bool vtkPenumbraBruteForceIrradiance::BeginIrradiance(
   this->IrradianceTolerance = tolerance;
   this->Translucent = penumbra::HasTranslucentOccluders(light.GetRays().GetScene());
   this->Lighting = std::make_unique<penumbra::Illumination>(light);
+  this->Lighting->AcceptNoise(tolerance / Pi, penumbra::PathsPerRay * this->MinimumRays);
   return true;
 }
 

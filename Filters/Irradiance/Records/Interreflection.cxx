@@ -33,6 +33,7 @@ Interreflection::Interreflection(
     Settings(settings),
     NormalAngle(normalAngle)
 {
+  this->Light.AcceptNoise(settings.Tolerance * settings.Radiance, settings.Side * settings.Side);
   this->Settings.Tolerance *= ReflectionToleranceFactor;
   this->Settings.Side = 0;
   this->Settings.KeepAllValid = true;

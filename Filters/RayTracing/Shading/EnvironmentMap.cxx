@@ -101,10 +101,10 @@ double EnvironmentMap::FindSunThreshold() const
 
 glm::vec3 EnvironmentMap::ComputeDirection(double u, double sine) const
 {
-  const double longitude = 2.0 * Pi * (u - .5);
+  const auto longitude = static_cast<float>(2.0 * Pi * (u - .5));
   const double cosine = std::sqrt(std::max(0.0, 1.0 - sine * sine));
-  return cosine * (std::cos(longitude) * this->Right + std::sin(longitude) * this->Forward) +
-    sine * this->Up;
+  return cosine * double(std::cos(longitude)) * this->Right +
+    cosine * double(std::sin(longitude)) * this->Forward + sine * this->Up;
 }
 
 glm::vec3 EnvironmentMap::ClampedRadiance(glm::vec3 direction) const

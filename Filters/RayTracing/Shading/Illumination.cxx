@@ -31,6 +31,8 @@ constexpr float MinimumCosine = 1e-6f;
 /// may meet and that of the samples of suns and emitters at its start, and at least with the smallest one.
 constexpr float LastRayGain = 2.f;
 constexpr float SmallestLastRayProbability = 0.125f;
+/// Noise that this adds to a mean of paths where no sun is seen, as a fraction of the tolerance.
+constexpr double LastRayNoise = 0.5;
 
 /// Number of rays that are traced together.
 constexpr std::size_t PacketSize = 16;
@@ -143,6 +145,15 @@ void Illumination::FindSourceRadiance(double emitted)
   largest = std::max(largest, map ? map->GetLargestRadiance() : color);
   const auto orOne = [](double value) { return value > 0.0 && std::isfinite(value) ? value : 1.0; };
   this->Sources = { orOne(mean), orOne(largest) };
+}
+
+void Illumination::AcceptNoise(double tolerance, double paths)
+{
+  const double last =
+    this->LastRadiance * std::pow(this->Settings.Albedo, this->Settings.Bounces - 1.0);
+  const double ratio = LastRayNoise * tolerance * std::sqrt(paths) / std::max(last, 1e-30);
+  this->UnlitProbability =
+    std::max(static_cast<float>(1.0 / (1.0 + ratio * ratio)), SmallestLastRayProbability);
 }
 
 Ray Illumination::SpawnRay(glm::vec3 point, const SurfaceNormals& normals, glm::vec3 direction)
@@ -431,7 +442,8 @@ glm::vec3 Illumination::TracePath(glm::vec3 point, const SurfaceNormals& normals
   {
     const float light = MaximumComponent(sampled);
     const float wanted = LastRayGain * this->LastRadiance;
-    probability = wanted < light ? std::max(wanted / light, SmallestLastRayProbability) : 1.f;
+    probability = wanted < light ? std::max(wanted / light, SmallestLastRayProbability)
+                                 : this->UnlitProbability;
     if (NextFloat(random) >= probability)
     {
       return sampled;

@@ -52,12 +52,11 @@ public:
   /// Returns the mean incident radiance at a point, over the hemisphere about its shading normal.
   using IrradianceFunction = std::function<glm::vec3(glm::vec3, const SurfaceNormals&)>;
 
-  /// Returns the radiance that arrives along `ray` (unit direction), whose first hit is `hit`:
-  /// emission, reflected direct light and, if `irradiance` is not empty, reflected indirect light.
-  /// Translucent surfaces are composited; the reflected indirect light of several layers is that of
-  /// one of them, chosen with the probability of its weight. `normal` (unit) is the axis of the cosine-distributed
-  /// rays. The emission of sampled emitters is multiplied by the weight of these rays, see
-  /// EstimateSampledLight(). Adds the number of rays traced to `rays`.
+  /// Returns the radiance that arrives along `ray` (unit direction), whose first hit is `hit`: emission, reflected
+  /// direct light and, if `irradiance` is not empty, reflected indirect light. Translucent surfaces are composited; the
+  /// reflected indirect light of several layers is that of one of them, chosen with the probability of its weight.
+  /// `normal` (unit) is the axis of the cosine-distributed rays. The emission of sampled emitters is multiplied by the
+  /// weight of these rays, see EstimateSampledLight(). Adds the number of rays traced to `rays`.
   glm::vec3 IncidentRadiance(Ray ray, Hit hit, glm::vec3 normal,
     const IrradianceFunction& irradiance, long long& rays) const;
 
@@ -67,38 +66,38 @@ public:
     glm::vec3 Mean{ 0.f };
     float Error = 0.f; ///< of the channel with the largest error
   };
-  /// Estimates the light of the suns of the environment map and of emitters by rays toward them. Stops
-  /// when the estimated error is at most `tolerance`. Emitters are sampled if they are small and bright, see
-  /// EmitterThreshold. Their light is split between these rays and those of IncidentRadiance() by multiple
-  /// importance sampling with the power heuristic (Veach, Robust Monte Carlo Methods for Light Transport
-  /// Simulation, 1997, section 9.2), as if both were equally many.
+  /// Estimates the light of the suns of the environment map and of emitters by rays toward them. Stops when the
+  /// estimated error is at most `tolerance`. Emitters are sampled if they are small and bright, see EmitterThreshold.
+  /// Their light is split between these rays and those of IncidentRadiance() by multiple importance sampling with the
+  /// power heuristic (Veach, Robust Monte Carlo Methods, 1997, section 9.2), as if both were equally many.
   SampledLight EstimateSampledLight(
     glm::vec3 point, const SurfaceNormals& normals, double tolerance, long long& rays) const;
 
-  /// Computes unbiased estimates of the same light at `count` points, up to 16, from one sample of the suns and
-  /// one of the emitters each.
+  /// Computes unbiased estimates of it at `count` <= 16 points, from one sample of the suns and of the emitters each.
   void SampleLights(const LightReceiver* receivers, std::uint32_t count, glm::vec3* estimates,
     long long& rays) const;
   /// The same at one point with a random sample.
   glm::vec3 SampleLights(
     glm::vec3 point, const SurfaceNormals& normals, std::uint32_t& random, long long& rays) const;
 
-  /// Returns an unbiased estimate, from one path, of the mean incident radiance with at most `bounces` - 1
-  /// reflections, including suns and sampled emitters. Under suns, its last ray is traced at random.
+  /// Returns an unbiased estimate, from one path, of the mean incident radiance with at most `bounces` - 1 reflections,
+  /// including suns and sampled emitters. Under suns, its last ray is traced at random.
   glm::vec3 TracePath(glm::vec3 point, const SurfaceNormals& normals, int bounces,
     std::uint32_t& random, long long& rays) const;
 
-  /// TracePath() without the suns and sampled emitters that `point` sees. The first ray is `ray`, distributed
-  /// by the cosine to `normal`, and ends at `hit`.
+  /// Lets last rays from where no sun is seen be traced at random, too, as `tolerance` of means of `paths` permits.
+  void AcceptNoise(double tolerance, double paths);
+
+  /// TracePath() without the suns and sampled emitters that `point` sees. The first ray is `ray`, distributed by the
+  /// cosine to `normal`, and ends at `hit`.
   glm::vec3 FollowPath(const Ray& ray, const Hit& hit, glm::vec3 normal, int bounces,
     std::uint32_t& random, long long& rays) const;
 
-  /// Returns a ray that starts at `point` on a surface, offset along the geometric normal. A
-  /// direction below the surface is reflected.
+  /// Returns a ray from `point` on a surface, offset along the geometric normal. Directions below it are reflected.
   static Ray SpawnRay(glm::vec3 point, const SurfaceNormals& normals, glm::vec3 direction);
 
-  /// Returns the emissive triangles that are not sampled. Returns none if there are more than MaximumEmitters,
-  /// because only few triangles are likely to be missed by random rays, or if a sphere or tube is among them.
+  /// Returns the emissive triangles that are not sampled. Returns none if there are more than MaximumEmitters, because
+  /// only few triangles are likely to be missed by random rays, or if a sphere or tube is among them.
   const std::vector<Emitter>& GetEmitters() const { return this->Emitters; }
 
   /// Radiances of the light sources of a scene, of the largest channel; 1 if all are 0.
@@ -108,8 +107,8 @@ public:
     /// emission, averaged over all surfaces (see EmissiveSurfaces::MeanRadiance).
     double Mean = 1.0;
 
-    /// Largest that random rays meet: of the environment without its suns, of emitters that are not
-    /// sampled, and of surfaces under the lights and suns. The noise of gathered light is proportional to it.
+    /// Largest that random rays meet: of the environment without its suns, of emitters that are not sampled, and of
+    /// surfaces under the lights and suns. The noise of gathered light is proportional to it.
     double Largest = 1.0;
   };
   const SourceRadiance& GetSourceRadiance() const { return this->Sources; }
@@ -125,8 +124,8 @@ private:
 
   SampledLight EstimateSuns(const LightReceiver& at, double tolerance, long long& rays) const;
 
-  /// Computes the contributions of samples of the suns, and of the emitters, to the means over the
-  /// hemispheres of `count` receivers, in [1, 16]. Their rays are traced as one packet.
+  /// Computes the contributions of samples of the suns, and of the emitters, to the means over the hemispheres of
+  /// `count` receivers, in [1, 16]. Their rays are traced as one packet.
   void SunContributions(const LightReceiver* receivers, std::uint32_t count,
     glm::vec3* contributions, long long& rays) const;
   void EmitterContributions(const LightReceiver* receivers, std::uint32_t count,
@@ -143,7 +142,8 @@ private:
   std::vector<Emitter> Emitters;
   std::shared_ptr<const EmitterTree> SampledEmitters; ///< null if there are none
   SourceRadiance Sources;
-  float LastRadiance = 0.f; ///< which the last rays of paths may meet, under suns
+  float UnlitProbability = 1.f; ///< of last rays, where no sun is seen
+  float LastRadiance = 0.f;     ///< which the last rays of paths may meet, under suns
 };
 
 }

@@ -273,43 +273,75 @@ TEST(vtkPenumbraEnvironment, CastsShadowsFromSun)
     .99 * ComputeSunIrradiance() * std::sin(SunLatitude));
 }
 
-/// Above a large white floor, a point that faces it gets what the floor reflects. Few of the last rays of paths, from
-/// the floor to the sky, are traced.
+/// Paths of two reflections from a point that faces a large white floor, under a sky of radiance 1 with a red sun.
+struct FloorPaths
+{
+  glm::dvec3 Mean{ 0.0 };
+  double Rays = 0.0; ///< per path
+  double Sun = 0.0;  ///< mean radiance that the floor gets from the sun, if it is above the horizon
+
+  static constexpr int Paths = 40000;
+  /// Standard error of a mean of paths of which one in eight returns 4, the others 0.
+  static constexpr double SkyError = .5 * 2.6457513 / 200.0;
+
+  /// `sunRow`: of 32 rows of the sky. `tolerance`: see Illumination::AcceptNoise().
+  explicit FloorPaths(int sunRow, double tolerance = 0.0)
+  {
+    constexpr double SunRadiance = 2e4;
+    vtkNew<vtkPenumbraEnvironment> environment;
+    environment->SetImage(MakeImage(64, 32, [sunRow](double longitude, double latitude) {
+      const bool isSun = static_cast<int>((latitude / Pi + .5) * 32.0) == sunRow &&
+        static_cast<int>((longitude / (2.0 * Pi) + .5) * 64.0) == 0;
+      return isSun ? glm::dvec3(SunRadiance, 1.0, 1.0) : glm::dvec3(1.0);
+    }));
+    environment->SetUp(0.0, 0.0, 1.0);
+    IlluminationSettings settings;
+    settings.Map = environment->GetMap();
+    settings.Albedo = .5f;
+    settings.Bounces = 2;
+    Scene scene;
+    AddRectangle(scene, { -1e3f, -1e3f, 0.f }, { 2e3f, 0.f, 0.f }, { 0.f, 2e3f, 0.f });
+    const RayScene rays(scene, 1);
+    Illumination light(rays, settings);
+    light.AcceptNoise(tolerance, Paths);
+    std::uint32_t random = 1;
+    long long traced = 0;
+    for (int i = 0; i < Paths; ++i)
+    {
+      this->Mean += glm::dvec3(light.TracePath(
+                      { 0.f, 0.f, 1.f }, glm::vec3(0.f, 0.f, -1.f), 2, random, traced)) /
+        double(Paths);
+    }
+    this->Rays = static_cast<double>(traced) / Paths;
+    const double low = -std::cos(Pi * sunRow / 32.0);
+    const double high = -std::cos(Pi * (sunRow + 1) / 32.0);
+    this->Sun = (SunRadiance - 1.0) / 64.0 * (high * high - low * low);
+  }
+};
+
+/// Few of the last rays of paths, from the floor to the sky, are traced.
 TEST(vtkPenumbraEnvironment, LightsPathsByTheSkyBesideABrightSun)
 {
-  constexpr int SunRow = 24;
-  constexpr double SunRadiance = 2e4;
-  vtkNew<vtkPenumbraEnvironment> environment;
-  environment->SetImage(MakeImage(64, 32, [](double longitude, double latitude) {
-    const bool isSun = static_cast<int>((latitude / Pi + .5) * 32.0) == SunRow &&
-      static_cast<int>((longitude / (2.0 * Pi) + .5) * 64.0) == 0;
-    return isSun ? glm::dvec3(SunRadiance, 1.0, 1.0) : glm::dvec3(1.0);
-  }));
-  environment->SetUp(0.0, 0.0, 1.0);
-  IlluminationSettings settings;
-  settings.Map = environment->GetMap();
-  settings.Albedo = .5f;
-  settings.Bounces = 2;
-  Scene scene;
-  AddRectangle(scene, { -1e3f, -1e3f, 0.f }, { 2e3f, 0.f, 0.f }, { 0.f, 2e3f, 0.f });
-  const RayScene rays(scene, 1);
-  const Illumination light(rays, settings);
-  constexpr int Paths = 40000;
-  std::uint32_t random = 1;
-  long long traced = 0;
-  glm::dvec3 sum(0.0);
-  for (int i = 0; i < Paths; ++i)
-  {
-    sum +=
-      glm::dvec3(light.TracePath({ 0.f, 0.f, 1.f }, glm::vec3(0.f, 0.f, -1.f), 2, random, traced));
-  }
-  const double low = -std::cos(Pi * SunRow / 32.0);
-  const double high = -std::cos(Pi * (SunRow + 1) / 32.0);
-  const double sun = (SunRadiance - 1.0) / 64.0 * (high * high - low * low);
-  EXPECT_GT(sun, 16.0);
-  EXPECT_NEAR(sum.x / Paths, .5 * (1.0 + sun), .01 * sun);
-  EXPECT_NEAR(sum.y / Paths, .5, .5 * 4.0 * std::sqrt(7.0 / Paths));
-  EXPECT_LT(traced, 2.2 * Paths);
+  const FloorPaths paths(24);
+  EXPECT_GT(paths.Sun, 16.0);
+  EXPECT_NEAR(paths.Mean.x, .5 * (1.0 + paths.Sun), .01 * paths.Sun);
+  EXPECT_NEAR(paths.Mean.y, .5, 4.0 * FloorPaths::SkyError);
+  EXPECT_LT(paths.Rays, 2.2);
+}
+
+/// The sun is below the floor, which hides it from the point.
+TEST(vtkPenumbraEnvironment, TracesLastRaysOfPathsAsTheToleranceRequires)
+{
+  const FloorPaths all(7);
+  EXPECT_DOUBLE_EQ(all.Rays, 3.0);
+  EXPECT_NEAR(all.Mean.x, .5, 1e-5);
+  const FloorPaths coarse(7, 1.0);
+  EXPECT_LT(coarse.Rays, 2.2);
+  EXPECT_NEAR(coarse.Mean.x, .5, 4.0 * FloorPaths::SkyError);
+  const double tolerance = 1e-3;
+  const FloorPaths fine(7, tolerance);
+  EXPECT_GT(fine.Rays, 2.9);
+  EXPECT_NEAR(fine.Mean.x, .5, 4.0 * .5 * tolerance);
 }
 
 /// Lights points below edges. Returns how many are partly shadowed, and how many of them have a wrong value and
