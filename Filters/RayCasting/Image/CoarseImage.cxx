@@ -44,19 +44,18 @@ typename LightTerms<N>::Value EstimateLight(
   typename LightTerms<N>::Value sum(0.f);
   for (std::uint32_t first = 0; first < RaysOfLayer; first += Size)
   {
-    Ray rays[Size];
-    LightReceiver starts[Size];
-    typename LightTerms<N>::Value values[Size];
+    LightPacket<N> packet;
+    packet.Count = Size;
     for (std::uint32_t i = 0; i < Size; ++i)
     {
-      rays[i] = source.MakeRay(layer.Position, normals, frame, sequence.At(first + i));
-      starts[i] = { layer.Position, normals,
+      packet.Rays[i] = source.MakeRay(layer.Position, normals, frame, sequence.At(first + i));
+      packet.Starts[i] = { layer.Position, normals,
         lights.At(OwenSobolSequence::ShuffleIndex(first + i, seed)) };
     }
     long long traced = Size;
-    source.Trace(rays, starts, Size, values, traced);
+    source.Trace(packet, traced);
     (LightTerms<N>::HasRadiance ? counts.Indirect : counts.Occlusion) += traced;
-    for (const auto& value : values)
+    for (const auto& value : packet.Values)
     {
       sum += value;
     }

@@ -76,6 +76,11 @@ constexpr float LargestRayGrowth = 4.f;
 /// without translucent layers.
 constexpr std::uint32_t RaysOfHit = 4;
 constexpr std::uint32_t RaysOfComplexHit = 2;
+/// Number of cells on each side of the grid that directs the rays of these rounds; smallest fraction of them that it
+/// does not direct; part of the squared mean that counts as noise. Measured with the part `skies` of the benchmark.
+constexpr int GuideSide = 8;
+constexpr float UnguidedFraction = 0.3f;
+constexpr float GuideMeanPart = 0.1f;
 /// More rays are traced where the estimated error exceeds this fraction of the tolerance.
 constexpr float LightErrorMargin = 0.75f;
 /// Side of the blocks of pixels whose number of rays grows alike, and their number on each side of a tile.

@@ -3,6 +3,7 @@
 #include "LightRays.h"
 
 #include "Shading/TranslucentOcclusion.h"
+#include "Vectors.h"
 
 #include <algorithm>
 
@@ -59,9 +60,11 @@ typename LightRays<N>::Value LightRays<N>::GetSquaredRange() const
 }
 
 template <int N>
-void LightRays<N>::Trace(const Ray* rays, const LightReceiver* starts, int count, Value* values,
-  long long& additional) const
+void LightRays<N>::Trace(LightPacket<N>& packet, long long& additional) const
 {
+  std::for_each(
+    packet.Rays + packet.Count, packet.Rays + PacketSize, [](Ray& ray) { ray.Far = -1.f; });
+  std::fill(packet.Strengths, packet.Strengths + PacketSize, 0.f);
   if constexpr (LightTerms<N>::HasOcclusion)
   {
     float occlusion[PacketSize];
@@ -70,46 +73,48 @@ void LightRays<N>::Trace(const Ray* rays, const LightReceiver* starts, int count
       Ray ends[PacketSize];
       for (int i = 0; i < PacketSize; ++i)
       {
-        ends[i] = rays[i];
+        ends[i] = packet.Rays[i];
         ends[i].Far = std::min(ends[i].Far, this->Effects.Occlusion->GetRadius());
       }
       this->Effects.Occlusion->Trace(ends, occlusion, additional);
     }
     else
     {
-      this->Effects.Occlusion->Trace(rays, occlusion, additional);
+      this->Effects.Occlusion->Trace(packet.Rays, occlusion, additional);
     }
-    for (int i = 0; i < PacketSize; ++i)
+    for (int i = 0; i < packet.Count; ++i)
     {
-      values[i][0] = occlusion[i];
+      packet.Values[i][0] = packet.Weights[i] * occlusion[i];
+      packet.Strengths[i] = occlusion[i];
     }
   }
   if constexpr (LightTerms<N>::HasRadiance)
   {
-    this->TraceRadiance(rays, starts, count, values, additional);
+    this->TraceRadiance(packet, additional);
   }
 }
 
 template <int N>
-void LightRays<N>::TraceRadiance(const Ray* rays, const LightReceiver* starts, int count,
-  Value* values, long long& additional) const
+void LightRays<N>::TraceRadiance(LightPacket<N>& packet, long long& additional) const
 {
   const Illumination& light = *this->Effects.Light;
   const IlluminationSettings& settings = light.GetSettings();
   Hit hits[PacketSize];
-  light.GetRays().Intersect16(rays, hits);
+  light.GetRays().Intersect16(packet.Rays, hits);
   glm::vec3 sampled[PacketSize];
-  light.SampleLights(starts, static_cast<std::uint32_t>(count), sampled, additional);
-  for (int i = 0; i < count; ++i)
+  light.SampleLights(packet.Starts, static_cast<std::uint32_t>(packet.Count), sampled, additional);
+  for (int i = 0; i < packet.Count; ++i)
   {
-    std::uint32_t random = MixBits(HashPoint(rays[i].Origin, rays[i].Direction));
-    const glm::vec3 radiance = settings.Albedo *
-      (sampled[i] +
-        light.FollowPath(
-          rays[i], hits[i], starts[i].Normals.Shading, settings.Bounces, random, additional));
+    const Ray& ray = packet.Rays[i];
+    std::uint32_t random = MixBits(HashPoint(ray.Origin, ray.Direction));
+    const glm::vec3 followed = settings.Albedo *
+      light.FollowPath(
+        ray, hits[i], packet.Starts[i].Normals.Shading, settings.Bounces, random, additional);
+    const glm::vec3 radiance = settings.Albedo * sampled[i] + packet.Weights[i] * followed;
+    packet.Strengths[i] = std::max(packet.Strengths[i], MaximumComponent(followed));
     for (int c = 0; c < 3; ++c)
     {
-      values[i][LightTerms<N>::FirstRadiance + c] = radiance[c];
+      packet.Values[i][LightTerms<N>::FirstRadiance + c] = radiance[c];
     }
   }
 }

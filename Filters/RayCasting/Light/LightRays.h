@@ -12,6 +12,7 @@
 #include "Shading/Illumination.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -63,6 +64,21 @@ struct LightEffects
   }
 };
 
+/// Rays that are traced together. Those from Count on have Near > Far.
+template <int N>
+struct LightPacket
+{
+  static constexpr int Size = OcclusionRays::PacketSize;
+  LightPacket() { std::fill(this->Weights, this->Weights + Size, 1.f); }
+
+  Ray Rays[Size];
+  LightReceiver Starts[Size]; ///< where they start, which only indirect light needs
+  float Weights[Size];        ///< of what their directions contribute to their values
+  typename LightTerms<N>::Value Values[Size];
+  float Strengths[Size]; ///< largest of these contributions without weights
+  int Count = 0;
+};
+
 /// Rays from surfaces, and their values as in LightSite.
 template <int N>
 class LightRays
@@ -97,15 +113,12 @@ public:
   /// Returns the squared range of values.
   Value GetSquaredRange() const;
 
-  /// Computes the values along PacketSize rays, of which the first `count` are active: the others have Near > Far.
-  /// They start at `starts`, which only indirect light needs. Adds the number of rays that were traced beyond the
-  /// first hits to `additional`.
-  void Trace(const Ray* rays, const LightReceiver* starts, int count, Value* values,
-    long long& additional) const;
+  /// Computes the values and strengths of a packet. Adds the number of rays that were traced beyond the first hits to
+  /// `additional`.
+  void Trace(LightPacket<N>& packet, long long& additional) const;
 
 private:
-  void TraceRadiance(const Ray* rays, const LightReceiver* starts, int count, Value* values,
-    long long& additional) const;
+  void TraceRadiance(LightPacket<N>& packet, long long& additional) const;
 
   const LightEffects& Effects;
 };

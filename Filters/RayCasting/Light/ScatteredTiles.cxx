@@ -210,11 +210,8 @@ void LitSamples<N>::AddRays(std::uint32_t seed, std::uint32_t first,
 {
   const OwenSobolSequence directions(MixBits(seed + DirectionSeed));
   const OwenSobolSequence lights(MixBits(seed + LightSeed));
-  Ray rays[PacketSize];
-  LightReceiver starts[PacketSize];
-  Value values[PacketSize];
+  LightPacket<N> traced;
   int owners[PacketSize];
-  int count = 0;
   for (int i = 0; i < PacketSize; ++i)
   {
     if (packet.Layers[i].empty())
@@ -225,21 +222,21 @@ void LitSamples<N>::AddRays(std::uint32_t seed, std::uint32_t first,
     const SurfaceNormals normals(layer.Normal, layer.Geometric);
     const std::uint32_t sample = first + RaysOfLitSample * static_cast<std::uint32_t>(i);
     const glm::vec2 at = directions.At(OwenSobolSequence::ShuffleIndex(sample, seed));
-    rays[count] = this->Source.MakeRay(layer.Position, normals, FrameFromNormal(layer.Normal), at);
+    traced.Rays[traced.Count] =
+      this->Source.MakeRay(layer.Position, normals, FrameFromNormal(layer.Normal), at);
     if constexpr (LightTerms<N>::HasRadiance)
     {
-      starts[count] = { layer.Position, normals,
+      traced.Starts[traced.Count] = { layer.Position, normals,
         lights.At(OwenSobolSequence::ShuffleIndex(sample, seed + LightSeed)) };
     }
-    owners[count++] = i;
+    owners[traced.Count++] = i;
   }
-  std::for_each(rays + count, rays + PacketSize, [](Ray& ray) { ray.Far = -1.f; });
-  long long& traced = LightTerms<N>::HasRadiance ? counts.Indirect : counts.Occlusion;
-  traced += count;
-  this->Source.Trace(rays, starts, count, values, traced);
-  for (int i = 0; i < count; ++i)
+  long long& total = LightTerms<N>::HasRadiance ? counts.Indirect : counts.Occlusion;
+  total += traced.Count;
+  this->Source.Trace(traced, total);
+  for (int i = 0; i < traced.Count; ++i)
   {
-    sums[owners[i]] += values[i];
+    sums[owners[i]] += traced.Values[i];
   }
 }
 

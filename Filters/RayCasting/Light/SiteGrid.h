@@ -5,6 +5,7 @@
 #ifndef penumbra_SiteGrid_h
 #define penumbra_SiteGrid_h
 
+#include "DirectionGuide.h"
 #include "LightSite.h"
 
 #include <cstddef>
@@ -36,6 +37,7 @@ struct SiteGrid
   std::vector<std::vector<LightPixel>>
     Tiles; ///< pixels of each tile, row by row; empty: it has no sites
   std::vector<SitePatch<N>> Patches;
+  std::vector<DirectionGuide> Guides; ///< of blocks, row by row
   /// Squared range of the value of a ray.
   typename LightTerms<N>::Value SquaredRange{ 1.f };
 
@@ -45,6 +47,13 @@ struct SiteGrid
   {
     const glm::uvec2 at = glm::uvec2(x - this->Low.x, y - this->Low.y) / TileSide;
     return static_cast<std::size_t>(at.y) * (this->GetSize().x / LightTileSide) + at.x;
+  }
+
+  /// Returns the index of the block whose first pixel is `first`.
+  std::size_t GetBlock(glm::ivec2 first) const
+  {
+    const glm::ivec2 at = (first - this->Low) / DirectionBlockSide;
+    return static_cast<std::size_t>(at.y) * (this->GetSize().x / DirectionBlockSide) + at.x;
   }
 
   /// Returns a pixel; in a tile without sites, an empty one.

@@ -153,6 +153,8 @@ template <int N>
 void SiteSampler<N>::FindSites(glm::ivec2 first)
 {
   this->Begin(first);
+  this->Strengths = DirectionGuide::Sums();
+  this->Guide = DirectionGuide();
   for (int cell = 0; cell < Cells; ++cell)
   {
     this->Sites[cell].clear();
@@ -190,6 +192,7 @@ template <int N>
 void SiteSampler<N>::AddSamples(glm::ivec2 first, const SiteGrid<N>& grid)
 {
   this->Begin(first);
+  this->Guide = grid.Guides[grid.GetBlock(first)];
   for (int cell = 0; cell < Cells; ++cell)
   {
     const glm::ivec2 p = first + GetOffset(cell);
@@ -362,18 +365,20 @@ void SiteSampler<N>::QueueRays(
   const glm::mat3 frame = FrameFromNormal(layer.Normal);
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    const glm::vec2 at =
+    glm::vec2 at =
       sequence.At(OwenSobolSequence::ShuffleIndex(request.FirstRay + i, this->Seed + half));
-    this->Rays[this->Count] = this->Source.MakeRay(layer.Position, normals, frame, at);
-    this->Owners[this->Count] = { request.Cell, site, half };
+    LightPacket<N>& packet = this->Packet;
+    packet.Weights[packet.Count] = LightTerms<N>::HasRadiance ? this->Guide.Move(at) : 1.f;
+    packet.Rays[packet.Count] = this->Source.MakeRay(layer.Position, normals, frame, at);
+    this->Owners[packet.Count] = { request.Cell, site, half, at };
     if constexpr (LightTerms<N>::HasRadiance)
     {
       const std::uint32_t index =
         OwenSobolSequence::ShuffleIndex(request.FirstRay + i, this->Seed + 2 * Halves + half);
-      this->Starts[this->Count] = { layer.Position, normals, lights.At(index) };
+      packet.Starts[packet.Count] = { layer.Position, normals, lights.At(index) };
     }
     ++this->TracedRays;
-    if (++this->Count == LightRays<N>::PacketSize)
+    if (++packet.Count == LightPacket<N>::Size)
     {
       this->Flush();
     }
@@ -383,23 +388,21 @@ void SiteSampler<N>::QueueRays(
 template <int N>
 void SiteSampler<N>::Flush()
 {
-  if (this->Count == 0)
+  LightPacket<N>& packet = this->Packet;
+  if (packet.Count == 0)
   {
     return;
   }
-  for (int i = this->Count; i < LightRays<N>::PacketSize; ++i)
+  this->Source.Trace(packet, this->TracedRays);
+  for (int i = 0; i < packet.Count; ++i)
   {
-    this->Rays[i].Far = -1.f;
+    const RayOwner& owner = this->Owners[i];
+    LightSite<N>& site = this->Sites[owner.Cell][owner.Site];
+    site.Sums[owner.Half] += packet.Values[i];
+    ++site.Rays[owner.Half];
+    this->Strengths.Add(owner.At, packet.Strengths[i]);
   }
-  typename LightTerms<N>::Value values[LightRays<N>::PacketSize];
-  this->Source.Trace(this->Rays, this->Starts, this->Count, values, this->TracedRays);
-  for (int i = 0; i < this->Count; ++i)
-  {
-    LightSite<N>& site = this->Sites[this->Owners[i].Cell][this->Owners[i].Site];
-    site.Sums[this->Owners[i].Half] += values[i];
-    ++site.Rays[this->Owners[i].Half];
-  }
-  this->Count = 0;
+  packet.Count = 0;
 }
 
 template class SiteSampler<1>;

@@ -6,6 +6,7 @@
 #ifndef penumbra_SiteSampler_h
 #define penumbra_SiteSampler_h
 
+#include "DirectionGuide.h"
 #include "LightConstants.h"
 #include "LightRays.h"
 #include "Sampling/CameraRayTracer.h"
@@ -35,6 +36,8 @@ public:
 
   const std::vector<LightSite<N>>& GetSites(int cell) const { return this->Sites[cell]; }
   const LightPixel& GetPixel(int cell) const { return this->Pixels[cell]; }
+  /// Returns the guide that follows from the rays of FindSites().
+  DirectionGuide MakeGuide() const { return DirectionGuide(this->Strengths); }
 
   /// Returns the pixel of a cell relative to the first one of the block, in Morton order.
   static glm::ivec2 GetOffset(int cell);
@@ -82,16 +85,17 @@ private:
   std::vector<Request> Requests;
   std::vector<LitLayer> Layers[CameraRayTracer::PacketSize];
 
-  Ray Rays[LightRays<N>::PacketSize];
-  LightReceiver Starts[LightRays<N>::PacketSize];
+  DirectionGuide Guide;
+  DirectionGuide::Sums Strengths; ///< of all rays
+  LightPacket<N> Packet;
   struct RayOwner
   {
     int Cell;
     std::size_t Site;
     int Half;
+    glm::vec2 At; ///< point of the unit square that chose its direction
   };
   RayOwner Owners[LightRays<N>::PacketSize];
-  int Count = 0;
 };
 
 }
