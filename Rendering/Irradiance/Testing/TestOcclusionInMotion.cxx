@@ -259,6 +259,7 @@ INSTANTIATE_TEST_SUITE_P(All, OcclusionInMotion,
     Motion{ "MovedGlyphs", "march", 0.02, 0.029, MoveGlyphs },
     Motion{ "TurnByRays", "traced", 0.012, 0.03, Turn },
     Motion{ "DollyByRays", "traced", 0.02, 0.04, Dolly },
+    Motion{ "ZoomOutByRays", "traced", 0.03, 0.045, ZoomOut },
     Motion{ "CutByRays", "traced", 0.03, 0.045, Cut }),
   [](const auto& parameter) { return parameter.param.Name; });
 
