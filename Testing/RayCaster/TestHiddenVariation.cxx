@@ -60,6 +60,23 @@ void AddSpheres(vtkRenderer* renderer, const std::vector<glm::dvec3>& centers, f
   property->RenderPointsAsSpheresOn();
 }
 
+/// Adds an unlit quadrilateral.
+vtkProperty* AddQuadrilateral(vtkRenderer* renderer, const std::vector<glm::dvec3>& corners)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell(4);
+  for (const glm::dvec3& corner : corners)
+  {
+    polygons->InsertCellPoint(points->InsertNextPoint(corner.x, corner.y, corner.z));
+  }
+  vtkNew<vtkPolyData> mesh;
+  mesh->SetPoints(points);
+  mesh->SetPolys(polygons);
+  return AddMesh(renderer, mesh, false)->GetProperty();
+}
+
 }
 
 TEST(SmallSpheres, AreShadedBetweenTheCornersOfPixels)
@@ -97,4 +114,25 @@ TEST(SmallSpheres, AreShadedBetweenTheirOutlines)
     LookAtImage(renderer, Side, Side);
     EXPECT_LT(FindWorst(renderer), 0.05) << round;
   }
+}
+
+TEST(TranslucentSurfaces, ShowIntersectionsBehindThem)
+{
+  vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+  renderer->SetBackground(0.2, 0.4, 0.8);
+  // Strips in front of a translucent and an opaque surface, which intersect along x = 48 + y / 20.
+  for (int i = 0; i < 48; ++i)
+  {
+    const double x = 2.0 * i;
+    AddQuadrilateral(
+      renderer, { { x, 0, 30 }, { x + 2, 0, 30 }, { x + 7, Side, 30 }, { x + 5, Side, 30 } })
+      ->SetOpacity(.3 + .01 * i);
+  }
+  AddQuadrilateral(
+    renderer, { { 20, 0, -14 }, { 80, 0, 16 }, { 80, Side, 13.6 }, { 20, Side, -16.4 } })
+    ->SetOpacity(.6);
+  AddQuadrilateral(renderer, { { -9, -9, 0 }, { 105, -9, 0 }, { 105, 105, 0 }, { -9, 105, 0 } })
+    ->SetColor(0.0, 0.0, 0.0);
+  LookAtImage(renderer, Side, Side);
+  EXPECT_LT(FindWorst(renderer), 0.04);
 }

@@ -58,6 +58,8 @@ constexpr double TexturedSamplesPerRay = 16.0;
 constexpr double TouchingDepth = 16.0;
 /// Maximum number of triangles per pixel whose pairs are intersected.
 constexpr std::size_t MaximumTriangles = 48;
+/// Maximum number of layers behind a translucent surface, at each corner, that may intersect.
+constexpr int MaximumIntersectedLayers = 4;
 /// Minimum area of a trapezoid that is probed when surfaces may intersect.
 constexpr double MinimumTrapezoidArea = 0.02;
 /// Minimum area of a face that is probed when triangles are known to intersect.

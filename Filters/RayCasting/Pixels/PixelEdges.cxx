@@ -134,6 +134,39 @@ void PixelEdges::AddPrimitive(PrimitiveId id)
   }
 }
 
+// Surfaces behind translucent ones may intersect, too.
+void PixelEdges::AddLayersBehind(int corner)
+{
+  if (!this->Pixel.Tracer.HasTranslucentSurfaces())
+  {
+    return;
+  }
+  const glm::ivec2 at = this->Pixel.Position + glm::ivec2(GetCornerOffset(corner));
+  const auto [entry, isNew] = this->LayersBehind.try_emplace({ at.x, at.y });
+  if (isNew)
+  {
+    const Sample sample = this->Pixel.Grid.At(at.x, at.y);
+    Hit hit = sample.FirstHit;
+    Ray ray = this->Pixel.Tracer.MakeRay(glm::dvec2(at));
+    for (int layer = 0; layer <= MaximumIntersectedLayers && hit.Distance < sample.OpaqueDepth;
+         ++layer)
+    {
+      hit = this->Pixel.Tracer.GetRays().Intersect(
+        ray); // the first one again, since corners lack what is behind
+      ++this->Pixel.Rays.Refinement;
+      ray = ContinueBehind(ray, hit);
+      if (layer > 0 && hit.IsHit())
+      {
+        entry->second.push_back({ hit.Surface, hit.Primitive });
+      }
+    }
+  }
+  for (const PrimitiveId id : entry->second)
+  {
+    this->AddPrimitive(id);
+  }
+}
+
 bool PixelEdges::AddIntersections()
 {
   const std::size_t before = this->Segments.size();
@@ -169,9 +202,11 @@ void PixelEdges::FindNearbyIntersections()
 {
   double nearest = std::numeric_limits<double>::infinity();
   double farthest = 0.0;
-  for (const Sample& corner : this->Pixel.Corners)
+  for (int i = 0; i < 4; ++i)
   {
+    const Sample& corner = this->Pixel.Corners[i];
     this->AddPrimitive(corner.FirstHit);
+    this->AddLayersBehind(i);
     nearest = std::min(nearest, static_cast<double>(corner.OpaqueDepth));
     farthest = std::max(farthest, static_cast<double>(corner.OpaqueDepth));
   }

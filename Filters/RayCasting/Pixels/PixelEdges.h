@@ -12,6 +12,8 @@
 #include "TriangleIntersection.h"
 
 #include <limits>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace penumbra
@@ -93,6 +95,7 @@ private:
     return penumbra::ComputeDepthBehind(depth, this->Pixel.GetScene().ViewCamera);
   }
   void AddPrimitive(PrimitiveId id);
+  void AddLayersBehind(int corner);
   void AddHiddenShape(const ProjectedEdge& edge, double depth, double limit);
 
   PixelContext& Pixel;
@@ -101,7 +104,9 @@ private:
   double NearestCulledDepth = 0.0;
   double NearestHiddenShape = 0.0;
   std::vector<PrimitiveId> VisiblePrimitives; ///< hit by samples
-  std::size_t PairsTested = 0;                ///< number of primitives whose pairs were intersected
+  /// What is behind translucent surfaces at a corner of the grid.
+  std::map<std::pair<int, int>, std::vector<PrimitiveId>> LayersBehind;
+  std::size_t PairsTested = 0; ///< number of primitives whose pairs were intersected
 };
 
 }
