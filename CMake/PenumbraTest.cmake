@@ -1,5 +1,5 @@
 # penumbra_test(<TestName> [OWN] [SOURCES more.cxx...] [LABELS label...] MODULES Penumbra::... VTK::...)
-# GoogleTest cases in <TestName>.cxx, which are one CTest test. The target <TestName> holds the objects. The
+# GoogleTest cases in <TestName>.cxx and the other sources, which are one CTest test. The target <TestName> holds the objects. The
 # tests of a folder with the same labels are one program, <Folder>Tests: it links in seconds, where one for each source
 # takes minutes. `ninja <Folder>Tests` builds it. Tests with the label `once` are part of it only if PENUMBRA_TEST_ONCE
 # is ON, and so are the cases in Testing/once.txt; tests with OWN only if PENUMBRA_TEST_OWN is ON.
@@ -79,6 +79,7 @@ function (penumbra_test name)
   target_compile_options(${name} PRIVATE -O1)
   target_link_libraries(${program} PRIVATE ${name})
 
-  add_test(NAME ${name} COMMAND ${penumbra_test_launcher} $<TARGET_FILE:${program}> ${name})
-  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" ENVIRONMENT "${penumbra_test_environment}")
+  list(TRANSFORM arg_SOURCES REPLACE "^.*/|[.]cxx$" "" OUTPUT_VARIABLE sources)
+  add_test(NAME ${name} COMMAND ${penumbra_test_launcher} $<TARGET_FILE:${program}> ${name} ${sources})
+  set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77 LABELS "${arg_LABELS}" ENVIRONMENT "${penumbra_test_environment}")
 endfunction ()

@@ -16,7 +16,7 @@ namespace penumbra
 inline bool FramesAreElapsed = false;
 
 /// CPU seconds of the process, which other processes hardly change and in which OSMesa renders on one thread; elapsed
-/// seconds if FramesAreElapsed. A frame ends with vtkRenderWindow::WaitForCompletion().
+/// seconds, which a graphics card needs, if FramesAreElapsed. A frame ends with vtkRenderWindow::WaitForCompletion().
 inline double FrameSeconds()
 {
   if (FramesAreElapsed)
@@ -30,7 +30,7 @@ inline double FrameSeconds()
 /// What a table's head says of the clock.
 inline std::string DescribeFrameClock()
 {
-  return FramesAreElapsed ? "elapsed seconds, graphics card" : "CPU seconds, OSMesa";
+  return FramesAreElapsed ? "elapsed seconds" : "CPU seconds";
 }
 
 }
