@@ -191,7 +191,7 @@ void EdgeHits::AddPoint(double distance, double tolerance)
 void EdgeHits::Test(std::uint32_t triangle, double distance)
 {
   const RayTriangle exact(this->Mesh, triangle, this->TracedRay);
-  if (!exact.IsValid || !exact.IsOnEdge() ||
+  if (!exact.IsValid || !exact.IsOnEdge ||
     !(exact.IsFront ? this->Mesh.Frontfaces : this->Mesh.Backfaces) ||
     !(exact.Distance >= this->TracedRay.Near && exact.Distance <= this->TracedRay.Far))
   {
@@ -326,7 +326,7 @@ Hit MakeHit(const RayScene& rays, const Ray& ray, const Hit& embreeHit, Candidat
   if (exact.IsValid &&
     std::abs(exact.Distance - resolved.Distance) <= SliverError * std::abs(exact.Distance))
   {
-    if (exact.IsOnEdge())
+    if (exact.IsOnEdge)
     {
       hit.Primitive = EdgeHits(rays, ray, hit.Surface).FindLowest(hit.Primitive, exact);
       exact = RayTriangle(scene.Surfaces[hit.Surface], hit.Primitive, ray);

@@ -13,6 +13,9 @@ namespace penumbra
 namespace
 {
 
+/// Margin of the squares of distances that are compared without square roots, for roundings.
+constexpr double SquareMargin = 2.0;
+
 /// Returns the signed distance between two lines, `volume` / |`normal`|. `normal` is the cross
 /// product of their directions, `volume` its scalar product with their offset. Infinite for
 /// parallel lines.
@@ -47,11 +50,24 @@ RayTriangle::RayTriangle(const Surface& surface, std::uint32_t triangle, const R
   this->U = second / volume;
   this->V = third / volume;
   this->Distance = glm::dot(ac, q) / volume;
-  this->EdgeDistance = std::min(
-    { LineDistance(sign * second, p), LineDistance(sign * third, glm::cross(direction, ab)),
-      LineDistance(sign * (volume - second - third), glm::cross(direction, ac - ab)) });
   const glm::dvec3 extent = glm::abs(fromA) + glm::max(glm::abs(ab), glm::abs(ac));
   this->EdgeTolerance = MaximumRoundings * HalfUlp * std::max({ extent.x, extent.y, extent.z });
+  // Most hits are far from all edges. Length of a cross product: at most the product of the lengths.
+  const glm::dvec3 bc = ac - ab;
+  const glm::dvec3 volumes = sign * glm::dvec3(second, third, volume - second - third);
+  const glm::dvec3 squares(glm::dot(ac, ac), glm::dot(ab, ab), glm::dot(bc, bc));
+  const double factor =
+    SquareMargin * this->EdgeTolerance * this->EdgeTolerance * glm::dot(direction, direction);
+  if (volumes.x > 0.0 && volumes.y > 0.0 && volumes.z > 0.0 &&
+    volumes.x * volumes.x > factor * squares.x && volumes.y * volumes.y > factor * squares.y &&
+    volumes.z * volumes.z > factor * squares.z)
+  {
+    return;
+  }
+  const double distance =
+    std::min({ LineDistance(volumes.x, p), LineDistance(volumes.y, glm::cross(direction, ab)),
+      LineDistance(volumes.z, glm::cross(direction, bc)) });
+  this->IsOnEdge = distance < this->EdgeTolerance && distance > -this->EdgeTolerance;
 }
 
 Hit ComputeHit(const Scene& scene, std::uint32_t surface, std::uint32_t triangle, const Ray& ray)

@@ -25,19 +25,13 @@ struct VTKPENUMBRAFILTERSRAYTRACING_EXPORT RayTriangle
 {
   bool IsValid = false;       ///< if on, the ray is not parallel to the triangle
   bool IsFront = false;       ///< if on, the ray hits the side with counterclockwise vertices
+  bool IsOnEdge = false;      ///< if on, the ray passes an edge line within EdgeTolerance
   double U = 0.0;             ///< weight of the triangle's second vertex
   double V = 0.0;             ///< weight of its third vertex
   double Distance = 0.0;      ///< in units of |Ray::Direction|
-  double EdgeDistance = 0.0;  ///< from the ray to the nearest edge line; negative outside
-  double EdgeTolerance = 0.0; ///< bound of the error of EdgeDistance in single precision
+  double EdgeTolerance = 0.0; ///< bound of the error of distances from edges in single precision
 
   RayTriangle(const Surface& surface, std::uint32_t triangle, const Ray& ray);
-
-  /// Returns true if single precision cannot decide on which side of an edge the ray passes.
-  bool IsOnEdge() const
-  {
-    return this->EdgeDistance<this->EdgeTolerance&& this->EdgeDistance> - this->EdgeTolerance;
-  }
 };
 
 /// Returns the hit of a ray on a triangle that it is known to meet: U and V are clamped to the

@@ -41,6 +41,8 @@ public:
   explicit EmitterTree(std::vector<Emitter> emitters);
 
   bool IsEmpty() const { return this->Nodes.empty(); }
+  /// Returns true if the only emitter is a sphere.
+  bool IsSphere() const { return this->Nodes.size() == 1 && this->Emitters[0].Radius > 0.f; }
 
   /// Direction toward a point of an emitter.
   struct Sample

@@ -43,6 +43,14 @@ struct SurfaceNormals
   }
 };
 
+/// Returns the weight of a sample of density `own` if the same direction could have been sampled
+/// with density `other`.
+inline float PowerHeuristic(float own, float other)
+{
+  const float ratio = other / own;
+  return 1.f / (1.f + ratio * ratio);
+}
+
 /// Mixes the bits of a 32-bit integer; the result is the same on every platform.
 inline std::uint32_t MixBits(std::uint32_t x)
 {

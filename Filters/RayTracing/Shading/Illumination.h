@@ -122,17 +122,15 @@ private:
     return this->SampledEmitters && !this->SampledEmitters->IsEmpty();
   }
 
-  SampledLight EstimateSuns(const LightReceiver& at, double tolerance, long long& rays) const;
-
-  /// Computes the contributions of samples of the suns, and of the emitters, to the means over the hemispheres of
-  /// `count` receivers, in [1, 16]. Their rays are traced as one packet.
-  void SunContributions(const LightReceiver* receivers, std::uint32_t count,
-    glm::vec3* contributions, long long& rays) const;
-  void EmitterContributions(const LightReceiver* receivers, std::uint32_t count,
-    glm::vec3* contributions, long long& rays) const;
-  /// Returns the contribution of a sample whose ray first hits `hit`; follows it through translucent layers.
-  glm::vec3 EmitterContribution(
-    glm::vec3 normal, Ray ray, Hit hit, const EmitterTree::Sample& emitter, long long& rays) const;
+  /// Rays toward samples of the suns, and of the emitters, see SampledLight.cxx.
+  class SunRays;
+  class EmitterRays;
+  template <typename Source>
+  void AddSamples(const LightReceiver* receivers, std::uint32_t count, glm::vec3* estimates,
+    long long& rays) const;
+  template <typename Source>
+  void AddEstimate(const LightReceiver& at, std::uint32_t seed, double tolerance,
+    SampledLight& result, long long& rays) const;
   void FindEmitters();
   void FindSourceRadiance(double emitted);
 

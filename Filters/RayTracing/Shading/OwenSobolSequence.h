@@ -68,17 +68,19 @@ public:
 
   /// Returns half the sum of (a - b)^2 over all values a, where b is the value of the point that shares the cell of a,
   /// see FindPartner(). Its square root divided by the number of values estimates the standard error of their mean.
-  static double SumPairDifferences(const std::vector<float>& values)
+  /// Values are numbers, or colors, of which it returns the largest channel.
+  template <typename Value>
+  static double SumPairDifferences(const std::vector<Value>& values)
   {
     const auto count = static_cast<std::uint32_t>(values.size());
     const std::uint32_t partner = FindPartner(count);
-    double sum = 0.0;
+    glm::dvec3 sum(0.0);
     for (std::uint32_t i = 0; i < count; ++i)
     {
-      const double difference = values[i] - values[i ^ partner];
+      const glm::dvec3 difference(values[i] - values[i ^ partner]);
       sum += difference * difference;
     }
-    return .5 * sum;
+    return .5 * std::max({ sum.x, sum.y, sum.z });
   }
 
 private:
@@ -146,39 +148,27 @@ StratifiedMean EstimateMeanOfBatches(const Evaluate& evaluate, std::uint32_t see
   StratifiedMean result;
   const OwenSobolSequence samples(seed);
   glm::dvec3 sum(0.0);
-  std::array<std::vector<float>, 3> channels;
-  for (std::vector<float>& values : channels)
-  {
-    values.reserve(first);
-  }
+  std::vector<glm::vec3> values;
   for (std::uint32_t count = first;; count *= 2)
   {
-    for (auto begin = static_cast<std::uint32_t>(channels[0].size()); begin < count;)
+    const auto known = static_cast<std::uint32_t>(values.size());
+    values.resize(count);
+    for (std::uint32_t begin = known; begin < count; begin += BatchSize)
     {
       const std::uint32_t size = std::min(count - begin, BatchSize);
       glm::vec2 at[BatchSize];
-      glm::vec3 values[BatchSize];
       for (std::uint32_t i = 0; i < size; ++i)
       {
         at[i] = samples.At(begin + i);
       }
-      evaluate(at, size, values);
-      for (std::uint32_t i = 0; i < size; ++i)
-      {
-        sum += values[i];
-        for (int c = 0; c < 3; ++c)
-        {
-          channels[c].push_back(values[i][c]);
-        }
-      }
-      begin += size;
+      evaluate(at, size, values.data() + begin);
     }
-    double largest = 0.0;
-    for (const std::vector<float>& values : channels)
+    for (std::uint32_t i = known; i < count; ++i)
     {
-      largest = std::max(largest, OwenSobolSequence::SumPairDifferences(values));
+      sum += values[i];
     }
-    result.Error = std::sqrt(largest + difference * difference) / count;
+    const double pairs = OwenSobolSequence::SumPairDifferences(values);
+    result.Error = std::sqrt(pairs + difference * difference) / count;
     const double accepted = (count == first ? firstErrorFraction : 1.0) * tolerance;
     if (result.Error <= accepted || count > maximum / 2)
     {

@@ -359,17 +359,23 @@ TEST(SampledLight, FindsAnEmitterOfOneTenThousandthOfTheWalls)
 namespace
 {
 
-/// Lights points on a floor below edges of half-planes at height 1, under a panel or a sphere at height 2 with an
-/// extent of `Size`. Returns how many of 2,000 points are partly shadowed, and how many are off by more than twice the
-/// tolerance and four times the estimate.
-std::array<int, 2> CountShadowEdges(bool isSphere)
+struct ShadowedPoints
+{
+  int Penumbra = 0; ///< partly shadowed
+  int Wrong = 0;    ///< off by more than twice the tolerance and four times the estimate
+};
+
+/// Lights 2,000 points on a floor below edges of half-planes or wires at height 1, under a panel or a sphere at height
+/// 2 with an extent of `Size`. `wire`: width relative to it, 0: a half-plane. `n`: the panel has 2 n^2 triangles.
+ShadowedPoints CountShadowEdges(bool isSphere, float wire, int n = 1)
 {
   constexpr float Size = .2f;
   constexpr int Edges = 40;
   constexpr int Points = 50;
   constexpr int Side = 64;
-  int penumbra = 0;
-  int wrong = 0;
+  const float begin = .25f * wire * Size;
+  const float width = wire > 0.f ? 2.f * begin : 50.f;
+  ShadowedPoints counts;
   for (int edge = 0; edge < Edges; ++edge)
   {
     const float angle = 2.f * static_cast<float>(Pi) * (edge + .3f) / Edges;
@@ -377,7 +383,7 @@ std::array<int, 2> CountShadowEdges(bool isSphere)
     const glm::vec3 along(-across.y, across.x, 0.f);
     const glm::vec3 center(.3f, -.2f, 2.f);
     Scene scene;
-    AddRectangle(scene, Up - 50.f * along, 100.f * along, -50.f * across);
+    AddRectangle(scene, Up + begin * across - 50.f * along, 100.f * along, -width * across);
     MakeBlack(scene);
     if (isSphere)
     {
@@ -388,8 +394,8 @@ std::array<int, 2> CountShadowEdges(bool isSphere)
     }
     else
     {
-      AddRectangle(scene, center - glm::vec3(.5f * Size, .5f * Size, 0.f), { Size, 0.f, 0.f },
-        { 0.f, Size, 0.f });
+      AddGrid(scene, center - glm::vec3(.5f * Size, .5f * Size, 0.f), { Size, 0.f, 0.f },
+        { 0.f, Size, 0.f }, n);
     }
     MakeEmitter(scene, glm::vec3(1e4f));
     const RayScene rays(scene, 1);
@@ -422,9 +428,10 @@ std::array<int, 2> CountShadowEdges(bool isSphere)
           value = direction.z * direction.z / (square * square);
         }
         unshadowed += value;
-        exact += glm::dot(point + direction / direction.z, across) > 0.f ? value : 0.0;
+        const float beyond = glm::dot(point + direction / direction.z, across) - begin;
+        exact += beyond > 0.f || beyond < -width ? value : 0.0;
       }
-      penumbra += exact > 0.0 && exact < unshadowed ? 1 : 0;
+      counts.Penumbra += exact > 0.0 && exact < unshadowed ? 1 : 0;
       long long count = 0;
       const double solid = isSphere ? 2.0 * Pi *
           (1.0 - std::sqrt(1.0 - .25 * Size * Size / glm::dot(center - point, center - point)))
@@ -433,24 +440,46 @@ std::array<int, 2> CountShadowEdges(bool isSphere)
       const double tolerance = .01 * unshadowed * scale;
       const Illumination::SampledLight found =
         light.EstimateSampledLight(point, Up, tolerance, count);
-      wrong += std::abs(found.Mean.x - exact * scale) > std::max(2.0 * tolerance, 4.0 * found.Error)
-        ? 1
-        : 0;
+      const double off = std::abs(found.Mean.x - exact * scale);
+      counts.Wrong += off > std::max(2.0 * tolerance, 4.0 * found.Error) ? 1 : 0;
     }
   }
-  return { penumbra, wrong };
+  return counts;
 }
 
 }
 
-// The first 8 rays may agree by chance.
-TEST(SampledLight, IsWrongAtSomeShadowEdgesOfSmallEmitters)
+TEST(SampledLight, FindsShadowEdgesThatHideLittleOfPanels)
 {
-  for (const bool isSphere : { false, true })
+  for (const int n : { 1, 30 })
   {
-    const auto [penumbra, wrong] = CountShadowEdges(isSphere);
-    EXPECT_GT(penumbra, 1400);
-    EXPECT_LE(wrong, (isSphere ? .26 : .2) * penumbra);
+    const ShadowedPoints counts = CountShadowEdges(false, 0.f, n);
+    EXPECT_GT(counts.Penumbra, 1700);
+    EXPECT_EQ(counts.Wrong, 0) << n;
+  }
+}
+
+// A hexagon in the outline of a sphere leaves 3 % of it outside each side.
+TEST(SampledLight, FindsShadowEdgesThatHideLittleOfSpheres)
+{
+  const ShadowedPoints counts = CountShadowEdges(true, 0.f);
+  EXPECT_GT(counts.Penumbra, 1400);
+  EXPECT_LE(counts.Wrong, .007 * counts.Penumbra);
+}
+
+TEST(SampledLight, MissesSomeWiresNarrowerThanHalfOfTheEmitter)
+{
+  // Widths relative to the emitter, and fractions of points with a wrong value and estimate: panel, sphere.
+  const double rows[][3] = { { 0.5, 0.0, 0.002 }, { 0.25, 0.03, 0.065 }, { 0.125, 0.2, 0.33 },
+    { 0.0625, 0.36, 0.58 } };
+  for (const auto& [width, panel, sphere] : rows)
+  {
+    for (const bool isSphere : { false, true })
+    {
+      const ShadowedPoints counts = CountShadowEdges(isSphere, static_cast<float>(width));
+      EXPECT_GT(counts.Penumbra, 1400) << width;
+      EXPECT_LE(counts.Wrong, (isSphere ? sphere : panel) * counts.Penumbra) << width;
+    }
   }
 }
 

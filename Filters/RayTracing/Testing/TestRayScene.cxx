@@ -217,21 +217,19 @@ TEST(RayScene, ResolvesDistantSurfacesCloseToEachOther)
   }
 }
 
-TEST(RayTriangle, ComputesDistanceToEdges)
+TEST(RayTriangle, FindsWhetherARayPassesAnEdge)
 {
   const Surface square = Square(-5.f);
   // 0.1 below the diagonal, then 0.2 above the lower edge.
   const RayTriangle inside(square, 0, Down(.3f, .3f - .1f * std::sqrt(2.f)));
   EXPECT_TRUE(inside.IsValid);
   EXPECT_TRUE(inside.IsFront);
-  EXPECT_NEAR(inside.EdgeDistance, .1, 1e-6);
+  EXPECT_FALSE(inside.IsOnEdge);
   EXPECT_NEAR(inside.Distance, 5.0, 1e-12);
-  const RayTriangle low(square, 0, Down(.3f, -.8f));
-  EXPECT_NEAR(low.EdgeDistance, .2, 1e-6);
+  EXPECT_FALSE(RayTriangle(square, 0, Down(.3f, -.8f)).IsOnEdge);
   const RayTriangle outside(square, 1, Down(.3f, .3f - .1f * std::sqrt(2.f)));
-  EXPECT_NEAR(outside.EdgeDistance, -.1, 1e-6);
-  EXPECT_FALSE(outside.IsOnEdge());
-  EXPECT_TRUE(RayTriangle(square, 1, Down(.3f, .3f)).IsOnEdge());
+  EXPECT_FALSE(outside.IsOnEdge);
+  EXPECT_TRUE(RayTriangle(square, 1, Down(.3f, .3f)).IsOnEdge);
   EXPECT_FALSE(RayTriangle(square, 0, { { 0.f, 0.f, 0.f }, { 1.f, 0.f, 0.f } }).IsValid);
 }
 
