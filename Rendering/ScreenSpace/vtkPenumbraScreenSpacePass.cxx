@@ -103,9 +103,8 @@ int vtkPenumbraScreenSpacePass::LimitMargin(
 
 void vtkPenumbraScreenSpacePass::WarnOnce(const std::string& warning)
 {
-  if (this->LastWarning != warning)
+  if (this->Warned.insert(warning).second)
   {
-    this->LastWarning = warning;
     vtkWarningMacro(<< warning);
   }
 }

@@ -15,6 +15,7 @@
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
 #include "vtkSmartPointer.h"                       // for ReleaseNotifier
 
+#include <set>    // for Warned
 #include <string> // for std::string
 
 class vtkOpenGLRenderWindow;
@@ -75,7 +76,7 @@ protected:
    */
   int LimitMargin(vtkOpenGLRenderWindow* window, const int size[2], int margin);
 
-  /** Warns unless the last warning was the same. */
+  /** Warns unless the pass has given the same warning. */
   void WarnOnce(const std::string& warning);
 
   bool OpaqueOnly = false;
@@ -88,7 +89,7 @@ private:
   /// Releases the resources of this pass when Window does, even after the pass was removed from its
   /// renderer.
   vtkSmartPointer<penumbra::WindowReleaseNotifier> ReleaseNotifier;
-  std::string LastWarning;
+  std::set<std::string> Warned;
 };
 
 #endif

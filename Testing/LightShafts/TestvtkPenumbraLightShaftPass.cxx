@@ -280,9 +280,9 @@ TEST_F(LightShaftPass, ReplacesTheMediumByADefaultOne)
   EXPECT_EQ(pass->GetMedium(), before);
 }
 
-TEST_F(LightShaftPass, IgnoresADensityImageWithOneWarning)
+TEST_F(LightShaftPass, GivesEachWarningOnce)
 {
-  this->Scene.AddSun({ 0.2, 1.0, 0.32 });
+  const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
   const std::vector<unsigned char> plain = this->Image();
   vtkNew<vtkImageData> density;
   this->Scene.Pass->GetMedium()->SetDensity(density);
@@ -295,6 +295,13 @@ TEST_F(LightShaftPass, IgnoresADensityImageWithOneWarning)
   EXPECT_EQ(this->Image(), plain);
   EXPECT_EQ(this->Image(), plain);
   EXPECT_EQ(warnings, 1);
+  // From now on, every frame finds two reasons to warn.
+  this->Scene.Renderer->RemoveLight(sun);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    this->Scene.Window->Render();
+    EXPECT_EQ(warnings, 2);
+  }
 }
 
 TEST_F(LightShaftPass, LeavesTheSceneUnchangedOnInvalidInput)
