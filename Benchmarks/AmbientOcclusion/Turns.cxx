@@ -7,7 +7,6 @@
 #include "vtkCamera.h"
 
 #include <cmath>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,15 +22,15 @@ constexpr int Size[2] = { 320, 224 };
 /// Camera movement per frame, in degrees.
 constexpr double Turns[] = { 1.0, 2.0, 4.0, 8.0, 15.0 };
 
-/// Frames until the history of the pixels does not depend on the first one, and frames that are timed and
-/// compared.
+/// Frames until the history of the pixels does not depend on the first one, and frames that are timed and followed.
+/// The last of them is compared with its limit.
 constexpr int HistoryFrames = 12;
 constexpr int Rounds = 9;
 
 /// Tolerance of the image to which the pass converges at a camera.
 constexpr double LimitTolerance = 4e-3;
 
-/// Windows that show the same view of a scene of their own.
+/// A window that shows a scene of its own, and the times of its frames.
 struct TurningWindow
 {
   explicit TurningWindow(const OcclusionTestScene& scene)
@@ -57,15 +56,17 @@ struct TurningWindow
 void MeasureTurns(OcclusionBenchmark& benchmark)
 {
   using Pass = vtkPenumbraTemporalSSAOPass;
-  for (std::size_t index = 0; index < benchmark.Scenes().size(); ++index)
+  const std::vector<OcclusionTestScene> scenes[3] = { benchmark.Scenes(), benchmark.Scenes(),
+    benchmark.Scenes() };
+  for (std::size_t index = 0; index < scenes[0].size(); ++index)
   {
-    const auto scene = [&] { return benchmark.Scenes()[index]; };
-    TurningWindow plain(scene());
-    TurningWindow march(scene());
-    TurningWindow peer(scene());
-    Pass* const pass = march.View.UsePenumbraPass(scene().Radius);
+    const OcclusionTestScene& scene = scenes[0][index];
+    TurningWindow plain(scene);
+    TurningWindow march(scenes[1][index]);
+    TurningWindow peer(scenes[2][index]);
+    Pass* const pass = march.View.UsePenumbraPass(scene.Radius);
     pass->SetKernelName("march");
-    peer.View.UseVTKSSAOPass(scene().Radius, 32);
+    peer.View.UseVTKSSAOPass(scene.Radius, 32);
     for (const double degrees : Turns)
     {
       pass->SetConvergeInOneRender(Pass::NEVER);
@@ -102,7 +103,7 @@ void MeasureTurns(OcclusionBenchmark& benchmark)
         pixels += std::isfinite(depth[i]);
       }
       const std::string name =
-        scene().Name + ", " + std::to_string(static_cast<int>(degrees)) + " degrees a frame";
+        scene.Name + ", " + std::to_string(static_cast<int>(degrees)) + " degrees a frame";
       ResultTable& table = benchmark.Results;
       table.Add(
         name, "RMSE of march, against its limit", std::sqrt(squares / pixels), TargetKind::None);

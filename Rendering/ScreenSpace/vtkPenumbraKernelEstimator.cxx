@@ -157,14 +157,14 @@ double vtkPenumbraKernelEstimator::ComputeThickness(const Request& request)
   }
   const penumbra::EyeDepth& depth = *request.Depth;
   Internals::Measurement& state = this->Implementation->Thicknesses[&depth];
-  // The limit of a static view does not depend on the motion before it.
-  if (state.Version == depth.GetVersion() && (state.IsExact || request.Moving))
+  // Neither the limit of a static view nor a frame without history depends on the motion before it.
+  const bool isExact = !request.Moving || request.FirstSample == 0;
+  if (state.Version == depth.GetVersion() && (state.IsExact || !isExact))
   {
     return state.Thickness.Get();
   }
-  const bool isNew = state.Version < 0;
+  state.IsExact = isExact || state.Version < 0;
   state.Version = depth.GetVersion();
-  state.IsExact = isNew || !request.Moving;
   ++state.Frames;
   state.Thickness.Advance();
   if (state.IsExact)

@@ -54,7 +54,7 @@ public:
     const penumbra::DelegateImage* Image = nullptr; ///< color and depth of the image
     const penumbra::EyeDepth* Depth = nullptr;      ///< eye depth and view; the unit is the radius
     double Radius = 1.0;                            ///< of occlusion, in world units
-    int FirstSample = 0; ///< number of samples per pixel before this call
+    int FirstSample = 0; ///< number of samples per pixel before this call; 0: without history
     int Samples = 8;     ///< requested number per pixel
     /// Requested number at pixels with a short history, at least Samples; only for shaders.
     int ShortHistorySamples = 8;

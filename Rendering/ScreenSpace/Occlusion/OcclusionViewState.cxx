@@ -138,7 +138,8 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   {
     this->SamplesSinceReset = 0;
     this->FramesWithTurns = 0;
-    this->TotalSamples = 0; // Makes the image independent of earlier frames.
+    // Makes the image independent of earlier frames, and estimators measure again what they keep.
+    this->TotalSamples = 0;
   }
   if (change == EyeDepth::Change::Moved && this->Settings.PropsChanged)
   {

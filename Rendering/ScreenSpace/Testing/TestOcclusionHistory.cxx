@@ -15,6 +15,7 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkLight.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkTextureObject.h"
 
@@ -278,6 +279,28 @@ TEST(OcclusionHistory, IsDiscardedAtACut)
     return scene.Array("AmbientOcclusion");
   };
   EXPECT_EQ(draw(40), draw(0));
+}
+
+TEST(OcclusionHistory, IsDiscardedInFastTurns)
+{
+  // Turns by 10 degrees from views of the narrow and of the wide side of a box, whose width determines the
+  // thickness of occluders.
+  const auto draw = [](double degreesPerFrame) {
+    OcclusionScene scene;
+    BuildSphereOnFloor(scene);
+    scene.AddWall({ 0.9, 0.5, 0 }, { 0.05, 0, 0 }, { 0, 0, 1.5 });
+    scene.AddWall({ 0.9, -0.5, 0 }, { 0.05, 0, 0 }, { 0, 0, 1.5 });
+    scene.AddWall({ 0.9, -0.5, 0 }, { 0, 1, 0 }, { 0, 0, 1.5 });
+    scene.AddWall({ 0.95, -0.5, 0 }, { 0, 1, 0 }, { 0, 0, 1.5 });
+    for (int frame = 5; frame >= 0; --frame)
+    {
+      const double angle = vtkMath::RadiansFromDegrees(40.0 - frame * degreesPerFrame);
+      scene.SetCamera({ 5 * std::sin(angle), -5 * std::cos(angle), 3 }, { 0, 0, 0.4 });
+      scene.Window->Render();
+    }
+    return scene.Array("AmbientOcclusion");
+  };
+  EXPECT_EQ(draw(10.0), draw(-10.0));
 }
 
 TEST(OcclusionHistory, RefinesToASmallerTolerance)
