@@ -8,18 +8,6 @@
 
 namespace penumbra
 {
-namespace
-{
-
-/// Returns true if a block must be traced once more for one of the lights.
-bool Restart(std::vector<PenumbraNeighbors>& lights)
-{
-  return std::count_if(lights.begin(), lights.end(),
-           [](PenumbraNeighbors& neighbors) { return neighbors.Restart(); }) > 0;
-}
-
-}
-
 CornerGrid::CornerGrid(glm::ivec2 low, glm::ivec2 high, bool allocate, bool penumbrae)
   : Low(low),
     High(high),
@@ -80,6 +68,10 @@ void CornerGrid::TraceBlock(const CameraRayTracer& tracer, glm::ivec2 block, boo
   }
   do
   {
+    for (PenumbraNeighbors& light : neighbors)
+    {
+      light.BeginNextPass();
+    }
     if (packets && active != 0)
     {
       tracer.TracePacket(points, active, samples, counts, 1.0, penumbrae, predictions);
@@ -92,7 +84,8 @@ void CornerGrid::TraceBlock(const CameraRayTracer& tracer, glm::ivec2 block, boo
       }
     }
   }
-  while (Restart(neighbors));
+  while (std::any_of(neighbors.begin(), neighbors.end(),
+    [](const PenumbraNeighbors& light) { return light.NeedsNextPass(); }));
   for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
   {
     const glm::ivec2 p = first + glm::ivec2(i % BlockSide, i / BlockSide);

@@ -38,9 +38,10 @@ VisibleFraction SampleSequence(
       sum += values.back();
     }
     const auto ends = std::minmax_element(values.begin(), values.end());
-    // Samples of a divided light that agree by chance have a range of 1, too.
-    const bool agree = *ends.first == *ends.second && IsBinary(*ends.first);
-    const double range = agree ? 1.0 : *ends.second - *ends.first;
+    // Samples of a divided light that agree by chance may have missed an opaque occluder or, if they
+    // are hidden, a gap.
+    const float agreeing = *ends.second > 0.f ? *ends.second : 1.f;
+    const double range = *ends.first == *ends.second ? agreeing : *ends.second - *ends.first;
     const double squares =
       OwenSobolSequence::SumPairDifferences(values) + LightVarianceFloorPairs * range * range;
     const double error = StratificationGain * std::sqrt(squares) / count;
@@ -80,6 +81,21 @@ int GetCheckPoints(const PenumbraNeighbors* neighbors)
     return ComplexCheckPoints;
   }
   return neighbors && neighbors->HasBoundary() ? BlockCheckPoints : CheckPoints;
+}
+
+/// Narrows `boundary` and adds it to the neighbors. Returns false if it is not one smooth curve.
+bool Refine(PenumbraBoundary& boundary, PenumbraNeighbors* neighbors)
+{
+  const bool isSupported = neighbors && neighbors->HasBoundary() && !neighbors->IsComplex();
+  if (!boundary.Refine(GetCheckPoints(neighbors), isSupported))
+  {
+    return false;
+  }
+  if (neighbors)
+  {
+    neighbors->Add(boundary.GetArc());
+  }
+  return true;
 }
 
 /// Returns true if `count` points inside the disk have the visibility `value`.
@@ -141,7 +157,7 @@ struct Circle
       for (int i = 0; i < this->Count; ++i)
       {
         this->Changes += this->Get(i) != this->Get(i + 1) ? 1 : 0;
-        this->Changes += IsBinary(this->Get(i)) ? 0 : MaximumCirclePoints;
+        this->HasTranslucent = this->HasTranslucent || !IsBinary(this->Get(i));
       }
       next *= 2;
     }
@@ -181,7 +197,8 @@ struct Circle
   const DiskVisibility& Visibility;
   float Offset;
   int Count = 0;
-  int Changes = 0; ///< between neighbors; large if a value is neither 0 nor 1
+  int Changes = 0;             ///< between neighbors
+  bool HasTranslucent = false; ///< a value is neither 0 nor 1
   std::array<float, MaximumCirclePoints> Values;
 };
 
@@ -248,14 +265,16 @@ VisibleFraction EstimateVisibleFraction(const std::function<float(glm::vec2)>& v
   if (neighbors && neighbors->Predict(arc))
   {
     PenumbraBoundary boundary(visibility, seed, tolerance);
-    if (boundary.FindEnds(arc) && boundary.Refine(GetCheckPoints(neighbors)))
+    if (boundary.FindEnds(arc) && Refine(boundary, neighbors))
     {
-      neighbors->Add(boundary.GetArc());
       return { boundary.GetArea(), boundary.GetError() };
     }
-    if (std::abs(arc.Distance) >= MinimumOutsideDistance && IsUniform(visibility, arc, seed))
+    if (std::abs(arc.Distance) >= MinimumOutsideDistance && !neighbors->IsComplex() &&
+      IsUniform(visibility, arc, seed))
     {
-      return { arc.Distance < 0.f ? 1.f : 0.f, MissedCapError * CapArea(0.5f * OutsideProbeAngle) };
+      const float value = arc.Distance < 0.f ? 1.f : 0.f;
+      neighbors->AddUniform(value);
+      return { value, MissedCapError * CapArea(0.5f * OutsideProbeAngle) };
     }
   }
   Circle circle(visibility, seed);
@@ -264,27 +283,27 @@ VisibleFraction EstimateVisibleFraction(const std::function<float(glm::vec2)>& v
   {
     const float value = circle.Values[0];
     // At a neighbor more than one boundary divides the light: a few points may miss them here.
-    const bool isDoubtful = neighbors && neighbors->IsComplex() && IsBinary(value);
+    const bool isDoubtful = neighbors && neighbors->IsComplex();
     if (isDoubtful || !AgreesInside(visibility, seed, value, GetInteriorPoints(neighbors, value)))
     {
       return SampleComplex(visibility, seed, tolerance, neighbors);
     }
     if (neighbors)
     {
-      neighbors->AddUniform(circle.Values[0]);
+      neighbors->AddUniform(value);
     }
-    return { circle.Values[0], circle.EstimateMissedCap() };
+    return { value, circle.EstimateMissedCap() };
+  }
+  if (circle.Changes == 2 && circle.HasTranslucent)
+  {
+    return SampleSequence(visibility, seed, tolerance); // the edge of a pane
   }
   if (circle.Changes == 2)
   {
     PenumbraBoundary boundary(visibility, seed, tolerance);
     circle.SetEnds(boundary);
-    if (boundary.Refine(GetCheckPoints(neighbors)))
+    if (Refine(boundary, neighbors))
     {
-      if (neighbors)
-      {
-        neighbors->Add(boundary.GetArc());
-      }
       return { boundary.GetArea(), boundary.GetError() };
     }
   }

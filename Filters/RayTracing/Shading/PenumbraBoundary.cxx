@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace penumbra
 {
@@ -116,9 +115,9 @@ bool PenumbraBoundary::FindEnd(
   return false;
 }
 
-bool PenumbraBoundary::Refine(int checkPoints)
+bool PenumbraBoundary::Refine(int checkPoints, bool isSupported)
 {
-  this->IsSupported = checkPoints < CheckPoints;
+  this->IsSupported = isSupported;
   return this->NarrowEnds() && this->IsClosed() && this->FindSagitta() && this->Check(checkPoints);
 }
 
@@ -358,12 +357,11 @@ void PenumbraNeighbors::Add(const PenumbraArc& arc)
   this->Entries.push_back({ this->Position, arc });
 }
 
-bool PenumbraNeighbors::Restart()
+void PenumbraNeighbors::BeginNextPass()
 {
-  PenumbraNeighbors next;
-  next.Complex = this->Complex;
-  std::swap(*this, next);
-  return next.Complex && next.IsDoubtful;
+  const bool isComplex = this->Complex;
+  *this = PenumbraNeighbors();
+  this->Complex = isComplex;
 }
 
 bool PenumbraNeighbors::Predict(PenumbraArc& arc) const

@@ -75,8 +75,9 @@ public:
 
   /// Narrows the brackets until the estimated error is at most the tolerance. Returns false if the
   /// boundary is not one smooth curve, which `checkPoints` points of the disk check, or if the
-  /// visibility is neither 0 nor 1.
-  bool Refine(int checkPoints);
+  /// visibility is neither 0 nor 1. Without the support of neighbors that have one boundary, too, a
+  /// small cap is tested more closely.
+  bool Refine(int checkPoints, bool isSupported);
 
   float GetArea() const;
   float GetError() const;

@@ -33,13 +33,18 @@ public:
   /// Adds the result at the position.
   void Add(const PenumbraArc& arc);
 
-  /// Adds a point from which all of the light has the visibility `value`, 0 or 1.
+  /// Adds a point from which all of the light has the visibility `value`.
   void AddUniform(float value)
   {
-    this->Uniform[value > 0.f ? 1 : 0] = true;
+    this->Uniform[0] = this->Uniform[0] || value == 0.f;
+    this->Uniform[1] = this->Uniform[1] || value == 1.f;
     this->IsDoubtful = this->IsDoubtful || !this->Complex;
   }
-  bool HasUniform(float value) const { return this->Uniform[value > 0.f ? 1 : 0]; }
+  /// Returns true if `value` is 0 or 1 and has been added.
+  bool HasUniform(float value) const
+  {
+    return (this->Uniform[0] && value == 0.f) || (this->Uniform[1] && value == 1.f);
+  }
 
   /// Returns true if one boundary divides the light at a point.
   bool HasBoundary() const { return !this->Entries.empty(); }
@@ -48,9 +53,12 @@ public:
   void SetComplex() { this->Complex = true; }
   bool IsComplex() const { return this->Complex; }
 
-  /// Discards the results. Returns true if the points of the block must be estimated once more: no boundary was found
-  /// at some of them before more than one was found at another.
-  bool Restart();
+  /// Returns true if the points of the block must be estimated once more: no boundary was found at some
+  /// of them before more than one was found at another.
+  bool NeedsNextPass() const { return this->Complex && this->IsDoubtful; }
+
+  /// Discards the results, except that the light is divided by more than one boundary.
+  void BeginNextPass();
 
   /// Predicts the arc at the position by a linear fit. Returns false if there is no result yet.
   bool Predict(PenumbraArc& arc) const;
