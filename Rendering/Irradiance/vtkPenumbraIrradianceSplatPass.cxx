@@ -138,12 +138,6 @@ bool vtkPenumbraIrradianceSplatPass::ReadRecords()
   return internals.Splats.GetNumberOfRecords() > 0;
 }
 
-float vtkPenumbraIrradianceSplatPass::GetAngle() const
-{
-  return static_cast<float>(vtkMath::RadiansFromDegrees(
-    this->NormalAngle > 0.0 ? this->NormalAngle : this->Implementation->NormalAngle));
-}
-
 bool vtkPenumbraIrradianceSplatPass::RenderEffect(const vtkRenderState* state)
 {
   this->Implementation->Drawn = this->ReadRecords() && this->RenderSplats(state);
@@ -166,8 +160,9 @@ bool vtkPenumbraIrradianceSplatPass::RenderSplats(const vtkRenderState* state)
   const ScreenTransform& view = internals.Image.GetView();
   Allocate(internals.Means, window, view.Width, view.Height, 4);
   Allocate(internals.Result, window, view.Width, view.Height, 4);
-  if (!internals.Splats.Draw(
-        window, internals.Image, internals.Depth.GetCurrent(), this->GetAngle(), internals.Means))
+  const double angle = this->NormalAngle > 0.0 ? this->NormalAngle : internals.NormalAngle;
+  if (!internals.Splats.Draw(window, internals.Image, internals.Depth.GetCurrent(),
+        static_cast<float>(vtkMath::RadiansFromDegrees(angle)), internals.Means))
   {
     return false;
   }
@@ -249,8 +244,8 @@ vtkFieldData* vtkPenumbraIrradianceSplatPass::GetStatistics()
     AddStatistic(internals.Statistics, "Cache/Records",
       static_cast<double>(internals.Splats.GetNumberOfRecords()));
     AddStatistic(internals.Statistics, "Pixels/Interpolated", covered / std::max(surface, 1.0));
-    const auto invalid = static_cast<double>(
-      internals.Splats.CountInvalidPixels(internals.Image.GetView(), this->GetAngle()));
+    const auto invalid =
+      static_cast<double>(internals.Splats.CountInvalidPixels(internals.Image.GetView()));
     AddStatistic(internals.Statistics, "Pixels/Invalid", invalid / std::max(surface, 1.0));
   }
   return internals.Statistics;

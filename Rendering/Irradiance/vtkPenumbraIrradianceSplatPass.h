@@ -95,7 +95,6 @@ private:
   void operator=(const vtkPenumbraIrradianceSplatPass&) = delete;
 
   bool ReadRecords();
-  float GetAngle() const; ///< maximum angle between normals, radians
   bool RenderSplats(const vtkRenderState* state);
 
   struct Internals;

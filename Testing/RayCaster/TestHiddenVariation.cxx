@@ -136,3 +136,22 @@ TEST(TranslucentSurfaces, ShowIntersectionsBehindThem)
   LookAtImage(renderer, Side, Side);
   EXPECT_LT(FindWorst(renderer), 0.04);
 }
+
+TEST(Ribbons, TakeNoRayInTheMiddleOfPixelsOfConstantColor)
+{
+  // In one pixel of eight, all corners are on one triangle that no further corner along the x-axis shows.
+  const auto countRays = [](double width) {
+    vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+    for (double x = 2.8; x < Side; x += 8.0)
+    {
+      AddQuadrilateral(renderer,
+        { { x, -10.0, 0.0 }, { x + width, -10.0, 0.0 }, { x + width, 1800.0, 0.0 },
+          { x, 1800.0, 0.0 } });
+    }
+    LookAtImage(renderer, Side, Side);
+    return Cast(renderer, Side, Side, [](vtkPenumbraRayCaster* caster) {
+      caster->SetTolerance(Tolerance);
+    }).RaysPerPixel;
+  };
+  EXPECT_NEAR(countRays(1.4), countRays(2.4), 0.01);
+}

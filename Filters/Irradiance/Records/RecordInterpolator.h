@@ -18,6 +18,7 @@ struct InterpolationResult
   glm::vec3 Mean{ 0.f };
   float Error = 0.f;         ///< estimated from the noise and the second derivatives of the records
   float MaximumWeight = 0.f; ///< maximum weight of a record; 0 if no valid record was found
+  bool IsInvalid = false;    ///< nothing was found because an invalid record has the largest weight
   bool Found() const { return this->MaximumWeight > 0.f; }
 };
 

@@ -284,8 +284,13 @@ InterpolationResult RecordOctree::LookUp(const ShadingPoint& point) const
       interpolator.Add(record, point, weight);
     }
   });
-  const InterpolationResult result = interpolator.Result();
-  return result.MaximumWeight < invalidWeight ? InterpolationResult() : result;
+  InterpolationResult result = interpolator.Result();
+  if (result.MaximumWeight < invalidWeight)
+  {
+    result = InterpolationResult();
+    result.IsInvalid = true;
+  }
+  return result;
 }
 
 float RecordOctree::MaximumWeightAt(const ShadingPoint& point) const

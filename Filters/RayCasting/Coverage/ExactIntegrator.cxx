@@ -114,20 +114,6 @@ void ExactIntegrator::FaceProbe::Add(glm::dvec2 point)
   this->IsEmpty = false;
 }
 
-// Returns true if the color is constant over the face that contains the sample. A medium makes it
-// vary.
-bool ExactIntegrator::IsConstant(const Sample& sample) const
-{
-  return !this->Pixel.Tracer.HasShafts() && this->IsConstantBehindMedium(sample);
-}
-
-bool ExactIntegrator::IsConstantBehindMedium(const Sample& sample) const
-{
-  return !sample.FirstHit.IsHit() ||
-    (!this->Pixel.Tracer.HasTranslucentSurfaces() && !this->Pixel.Tracer.UsesIrradianceProvider() &&
-      this->Pixel.Tracer.GetShading().IsConstantPerTriangle(sample.FirstHit.Surface));
-}
-
 // The value at the center of a square differs from its mean by 1/24 of its area times the sum of both
 // second derivatives. At the middle of a lit sphere, these are 1 over the squared radius.
 float ExactIntegrator::ComputeRoundVariation(const Hit& hit, float area) const
@@ -136,12 +122,10 @@ float ExactIntegrator::ComputeRoundVariation(const Hit& hit, float area) const
   {
     return 0.f;
   }
-  const Camera& camera = this->Pixel.GetScene().ViewCamera;
   const RoundShape shape =
     this->Pixel.GetScene().Surfaces[hit.Surface].GetRoundShape(hit.Primitive);
-  const double footprint =
-    camera.PixelSize * (camera.Parallel ? 1.0 : hit.Distance + camera.DepthOfRayOrigins());
-  const double inverse = footprint / std::max(shape.RadiusA, shape.RadiusB);
+  const double inverse =
+    this->Pixel.ComputePixelSize(hit.Distance) / std::max(shape.RadiusA, shape.RadiusB);
   return static_cast<float>(area * inverse * inverse / 12.0);
 }
 
@@ -158,7 +142,8 @@ PixelResult ExactIntegrator::ComputeFaceColor(std::size_t index)
   bool agree = true;
   for (int i = 0; i < 4; ++i)
   {
-    if ((inside >> i & 1u) && !this->Edges.MayIntersect && this->IsConstant(this->Pixel.Corners[i]))
+    if ((inside >> i & 1u) && !this->Edges.MayIntersect &&
+      this->Pixel.IsConstant(this->Pixel.Corners[i].FirstHit))
     {
       const Sample& corner = this->Pixel.Corners[i];
       agree = agree &&
@@ -187,7 +172,7 @@ PixelResult ExactIntegrator::ComputeFaceColor(std::size_t index)
   this->Pixel.ShowsUnsteadyTriangle = this->Pixel.ShowsUnsteadyTriangle ||
     this->Tile.IsUnsteady(this->Pixel.GetScene(), sample.FirstHit);
   result.Color = sample.Color;
-  if (inside == 0u && this->IsConstantBehindMedium(sample))
+  if (inside == 0u && this->Pixel.IsConstantBehindMedium(sample.FirstHit))
   {
     return result;
   }

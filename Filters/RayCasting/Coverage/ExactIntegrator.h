@@ -42,8 +42,6 @@ private:
   void ProbeLargeTrapezoids();
   Hit ProbeAt(glm::dvec2 local);
   void ProbeTrapezoids();
-  bool IsConstant(const Sample& sample) const;
-  bool IsConstantBehindMedium(const Sample& sample) const;
   /// Returns how much the color of a round surface with little contrast may vary over a face.
   float ComputeRoundVariation(const Hit& hit, float area) const;
   PixelResult ComputeFaceColor(std::size_t face);

@@ -6,6 +6,8 @@
 #include "Scene.h"
 #include "Surface.h"
 
+#include <iterator>
+
 namespace penumbra
 {
 
@@ -56,6 +58,12 @@ void PixelContext::Load(glm::ivec2 pixel)
   this->ShowsUnsteadyTriangle = false;
 }
 
+double PixelContext::ComputePixelSize(double distance) const
+{
+  const Camera& camera = this->GetScene().ViewCamera;
+  return camera.PixelSize * (camera.Parallel ? 1.0 : distance + camera.DepthOfRayOrigins());
+}
+
 bool PixelContext::CornersAgree() const
 {
   for (int i = 1; i < 4; ++i)
@@ -68,10 +76,21 @@ bool PixelContext::CornersAgree() const
   return true;
 }
 
+bool PixelContext::IsConstantBehindMedium(const Hit& hit) const
+{
+  return !hit.IsHit() ||
+    (!this->Tracer.HasTranslucentSurfaces() && !this->Tracer.UsesIrradianceProvider() &&
+      this->Tracer.GetShading().IsConstantPerTriangle(hit.Surface));
+}
+
 bool PixelContext::IsIsolated() const
 {
   const Hit hit = this->Corners[0].FirstHit;
-  if (!hit.IsHit())
+  const bool isOneTriangle =
+    std::all_of(std::begin(this->Corners), std::end(this->Corners), [&hit](const Sample& corner) {
+      return corner.FirstHit.Surface == hit.Surface && corner.FirstHit.Primitive == hit.Primitive;
+    });
+  if (!hit.IsHit() || (isOneTriangle && this->IsConstant(hit)))
   {
     return false;
   }

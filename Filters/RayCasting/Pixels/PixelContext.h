@@ -39,6 +39,8 @@ public:
 
   glm::dvec2 GetOrigin() const { return glm::dvec2(this->Position); }
   const Scene& GetScene() const { return this->Tracer.GetScene(); }
+  /// Returns the side length of a pixel at a distance from the origin of a ray, in scene units.
+  double ComputePixelSize(double distance) const;
 
   /// Returns true if all corners are on one surface, or on the background.
   bool CornersAgree() const;
@@ -55,9 +57,18 @@ public:
   /// are set in `corners`; at least 1 if one of them is on another surface.
   float ComputeVariation(unsigned int corners, const Sample& sample) const;
 
+  /// Returns true if the color is constant over the triangle that was hit, or over the background. A
+  /// medium makes it vary.
+  bool IsConstant(const Hit& hit) const
+  {
+    return !this->Tracer.HasShafts() && this->IsConstantBehindMedium(hit);
+  }
+  bool IsConstantBehindMedium(const Hit& hit) const;
+
   /// Returns true if the corners are on a surface that no further corner shows along one of the
   /// axes. Second differences are unknown then: the corners of a small sphere agree if it is in the
-  /// middle of the pixel.
+  /// middle of the pixel. Round shapes are told apart, but not parts of one mesh. Returns false if the corners are on
+  /// one triangle of constant color.
   bool IsIsolated() const;
 
   /// Estimates the error of the mean of the corners from second differences.

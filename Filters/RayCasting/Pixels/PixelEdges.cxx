@@ -211,9 +211,7 @@ void PixelEdges::FindNearbyIntersections()
     farthest = std::max(farthest, static_cast<double>(corner.OpaqueDepth));
   }
   // Two surfaces at similar depths may intersect even if the triangles at the corners do not.
-  const Camera& camera = this->Pixel.GetScene().ViewCamera;
-  const double footprint =
-    camera.PixelSize * (camera.Parallel ? 1.0 : nearest + camera.DepthOfRayOrigins());
+  const double footprint = this->Pixel.ComputePixelSize(nearest);
   this->MayIntersect = this->SearchesAllPixels ||
     (!this->Pixel.CornersAgree() && farthest - nearest < TouchingDepth * footprint);
   if (!this->AddIntersections() && !this->MayIntersect)

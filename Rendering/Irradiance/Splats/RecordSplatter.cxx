@@ -113,6 +113,7 @@ void RecordSplatter::SetRecords(std::vector<Record> records, glm::dvec3 origin, 
   this->Origin = origin;
   this->Channels = channels;
   this->RecordTexture = nullptr;
+  this->Octree = nullptr;
 }
 
 void RecordSplatter::Upload(vtkOpenGLRenderWindow* window)
@@ -208,6 +209,8 @@ bool RecordSplatter::AccumulateSplats(
 bool RecordSplatter::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   vtkTextureObject* eyeDepths, float normalAngle, vtkTextureObject* means)
 {
+  this->NormalAngle = normalAngle;
+  this->InvalidPixels.reset();
   if (!this->RenderSurface(window, image, eyeDepths) ||
     !this->AccumulateSplats(window, image, normalAngle))
   {
@@ -232,21 +235,33 @@ bool RecordSplatter::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& im
   return true;
 }
 
-std::size_t RecordSplatter::CountInvalidPixels(const ScreenTransform& view, float normalAngle)
+void RecordSplatter::BuildOctree()
 {
-  RecordOctree octree;
   float half = 0.f;
   for (const Record& record : this->Records)
   {
     const glm::vec3 size = glm::abs(record.Position);
     half = std::max({ half, size.x, size.y, size.z });
   }
-  octree.Initialize(glm::vec3(0.f), half);
-  octree.SetNormalAngle(normalAngle);
+  this->Octree = std::make_unique<RecordOctree>();
+  this->Octree->Initialize(glm::vec3(0.f), half);
   for (const Record& record : this->Records)
   {
-    octree.Insert(record);
+    this->Octree->Insert(record);
   }
+}
+
+std::size_t RecordSplatter::CountInvalidPixels(const ScreenTransform& view)
+{
+  if (this->InvalidPixels)
+  {
+    return *this->InvalidPixels;
+  }
+  if (!this->Octree)
+  {
+    this->BuildOctree();
+  }
+  this->Octree->SetNormalAngle(this->NormalAngle);
   const glm::dmat4 toEye = ComputeRecordsToEye(view, this->Origin);
   const glm::dmat4 toRecords = glm::inverse(toEye);
   const glm::mat3 normalToRecords(glm::transpose(glm::dmat3(toEye)));
@@ -256,7 +271,8 @@ std::size_t RecordSplatter::CountInvalidPixels(const ScreenTransform& view, floa
   {
     const float* const surface = &surfaces[4 * i];
     const double depth = surface[3];
-    if (!(depth < BackgroundDepth))
+    const glm::vec3 normal(surface[0], surface[1], surface[2]);
+    if (!(depth < BackgroundDepth) || normal == glm::vec3(0.f))
     {
       continue;
     }
@@ -267,9 +283,10 @@ std::size_t RecordSplatter::CountInvalidPixels(const ScreenTransform& view, floa
     const glm::dvec4 eye((view.Parallel ? 1.0 : depth) * plane, -depth, 1.0);
     ShadingPoint point;
     point.Position = toRecords * eye;
-    point.Normal = glm::normalize(normalToRecords * glm::vec3(surface[0], surface[1], surface[2]));
-    count += octree.MaximumWeightAt(point) > 0.f && !octree.LookUp(point).Found() ? 1 : 0;
+    point.Normal = glm::normalize(normalToRecords * normal);
+    count += this->Octree->LookUp(point).IsInvalid ? 1 : 0;
   }
+  this->InvalidPixels = count;
   return count;
 }
 

@@ -11,12 +11,16 @@
 #include "Records/Record.h"
 
 #include <array>
+#include <memory>
+#include <optional>
 #include <vector>
 
 class vtkOpenGLVertexArrayObject;
 
 namespace penumbra
 {
+
+class RecordOctree;
 
 class RecordSplatter
 {
@@ -36,9 +40,9 @@ public:
   bool Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* eyeDepths,
     float normalAngle, vtkTextureObject* means);
 
-  /// Returns the number of pixels of the last frame at which an invalid record has the largest weight: values of
-  /// other records are wrong there.
-  std::size_t CountInvalidPixels(const ScreenTransform& view, float normalAngle);
+  /// Returns the number of pixels of the last frame, seen by `view`, at which an invalid record has the
+  /// largest weight: values of other records are wrong there. Counts them once per frame.
+  std::size_t CountInvalidPixels(const ScreenTransform& view);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -46,12 +50,16 @@ private:
   bool RenderSurface(
     vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* eyeDepths);
   void Upload(vtkOpenGLRenderWindow* window);
+  void BuildOctree();
   bool AccumulateSplats(
     vtkOpenGLRenderWindow* window, const DelegateImage& image, float normalAngle);
 
   std::vector<Record> Records;
   glm::dvec3 Origin{ 0.0 };
   int Channels = 1;
+  float NormalAngle = 0.f;                  ///< of the last frame, radians
+  std::unique_ptr<RecordOctree> Octree;     ///< of the records, for CountInvalidPixels(), or null
+  std::optional<std::size_t> InvalidPixels; ///< of the last frame, if they have been counted
   int Rows = 1;
   int Texels = 1;
   Stage Surface;

@@ -297,6 +297,11 @@ TEST(vtkPenumbraIrradianceSplatPass, ReportsPixelsOfInvalidRecords)
   };
   EXPECT_NEAR(get("Pixels/Interpolated"), interpolated, .01 * interpolated);
   EXPECT_NEAR(get("Pixels/Invalid"), invalid, .02 * invalid);
+
+  scene.Records->GetPointData()->GetArray("Serves")->SetComponent(1, 0, 1.0);
+  scene.Records->Modified();
+  statistics = scene.Splat()->GetStatistics();
+  EXPECT_EQ(get("Pixels/Invalid"), 0.0);
 }
 
 TEST(vtkPenumbraIrradianceSplatPass, DarkensTheColorsOfItsDelegate)
