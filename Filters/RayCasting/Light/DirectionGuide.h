@@ -58,10 +58,11 @@ public:
       squares += this->Densities[i] * this->Densities[i];
     }
     const float mean = total / Cells;
-    const float unguided = squares > 0.f ? std::max(mean * total / squares, UnguidedFraction) : 1.f;
+    const bool isGuided = squares > 0.f && std::isfinite(squares);
+    const float unguided = isGuided ? std::max(mean * total / squares, UnguidedFraction) : 1.f;
     for (int i = 0; i < Cells; ++i)
     {
-      const float guided = mean > 0.f ? this->Densities[i] / mean : 1.f;
+      const float guided = isGuided ? this->Densities[i] / mean : 1.f;
       this->Densities[i] = unguided + (1.f - unguided) * guided;
       this->Rows[i / GuideSide] += this->Densities[i];
     }

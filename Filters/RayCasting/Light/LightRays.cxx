@@ -101,6 +101,9 @@ void LightRays<N>::TraceRadiance(LightPacket<N>& packet, long long& additional) 
   const IlluminationSettings& settings = light.GetSettings();
   Hit hits[PacketSize];
   light.GetRays().Intersect16(packet.Rays, hits);
+  // Beside occlusion, light guides directions as a fraction of that without occluders.
+  const float uniform = this->Effects.GetUniformLight();
+  const float scale = LightTerms<N>::HasOcclusion && uniform > 0.f ? 1.f / uniform : 1.f;
   glm::vec3 sampled[PacketSize];
   light.SampleLights(packet.Starts, static_cast<std::uint32_t>(packet.Count), sampled, additional);
   for (int i = 0; i < packet.Count; ++i)
@@ -111,7 +114,7 @@ void LightRays<N>::TraceRadiance(LightPacket<N>& packet, long long& additional) 
       light.FollowPath(
         ray, hits[i], packet.Starts[i].Normals.Shading, settings.Bounces, random, additional);
     const glm::vec3 radiance = settings.Albedo * sampled[i] + packet.Weights[i] * followed;
-    packet.Strengths[i] = std::max(packet.Strengths[i], MaximumComponent(followed));
+    packet.Strengths[i] = std::max(packet.Strengths[i], scale * MaximumComponent(followed));
     for (int c = 0; c < 3; ++c)
     {
       packet.Values[i][LightTerms<N>::FirstRadiance + c] = radiance[c];

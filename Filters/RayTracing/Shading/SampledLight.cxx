@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The light of suns and emitters, by rays toward them. A contribution is a weight, that of the light without shadows,
-// times what its ray carries. The first rays decide whether the weights suffice: some go to the outline of the
-// source, which edges of shadows hide or show first, so that rays that agree show that it is hidden or visible.
+// times what its ray carries. The first rays decide whether they suffice: some go to the outline of the source, which
+// edges of shadows hide or show first.
 #include "HemisphereSampling.h"
 #include "Illumination.h"
 #include "OwenSobolSequence.h"
@@ -60,6 +60,7 @@ public:
   static constexpr std::uint32_t FirstOfPenumbra = FirstPenumbraRays;
   static constexpr std::uint32_t Maximum = MaximumSunRays;
   static constexpr double FirstErrorFraction = 1.0;
+  static constexpr bool MovesFirst = true;
 
   explicit SunRays(const Illumination& light)
     : Light(light)
@@ -98,14 +99,25 @@ public:
       [](float visible) { return glm::vec3(visible); });
   }
 
-  /// Returns where the first ray `i` goes instead of its sample: of a grid of 4 x 4 cells, from outer cells to the end
-  /// of the row, and from corners to corners. Rows are those of the map, sampled by the first coordinate.
-  glm::vec2 FindProbe(std::uint32_t, glm::vec2 sample) const
+  /// Moves some of the first rays: of a grid of 4 x 4 cells, from outer cells to the end of the row, and from corners
+  /// to corners. Rows are those of the map, sampled by the first coordinate. Returns the number of rays.
+  std::uint32_t AimProbes(LightReceiver at, const OwenSobolSequence& sequence)
   {
-    const glm::vec2 corner = FindCorner(sample);
-    const bool isOuter = std::abs(2.f * sample.y - 1.f) > 0.5f;
-    const bool isCorner = isOuter && std::abs(2.f * sample.x - 1.f) > 0.5f;
-    return { isCorner ? corner.x : sample.x, isOuter ? corner.y : sample.y };
+    for (std::uint32_t i = 0; i < First; ++i)
+    {
+      const glm::vec2 sample = sequence.At(i);
+      const glm::vec2 corner = FindCorner(sample);
+      const bool isOuter = std::abs(2.f * sample.y - 1.f) > 0.5f;
+      const bool isCorner = isOuter && std::abs(2.f * sample.x - 1.f) > 0.5f;
+      const Ray ray = this->Packet[i];
+      at.Sample = { isCorner ? corner.x : sample.x, isOuter ? corner.y : sample.y };
+      this->Aim(i, at);
+      if (!IsActive(this->Packet[i]))
+      {
+        this->Packet[i] = ray;
+      }
+    }
+    return First;
   }
 
   std::array<Ray, PacketSize> Packet;
@@ -124,6 +136,7 @@ public:
   static constexpr std::uint32_t FirstOfPenumbra = 2 * FirstEmitterRays;
   static constexpr std::uint32_t Maximum = MaximumEmitterRays;
   static constexpr double FirstErrorFraction = FirstEmitterErrorFraction;
+  static constexpr bool MovesFirst = false;
 
   explicit EmitterRays(const Illumination& light)
     : Light(light)
@@ -178,17 +191,20 @@ public:
     }
   }
 
-  /// Returns where the first ray `i` goes instead of its sample. Of 8 rays, the last four, one in each quarter of the
-  /// unit square, go to its corners; toward one sphere, whose outline is at the end of the first coordinate, the last
-  /// six to a hexagon.
-  glm::vec2 FindProbe(std::uint32_t i, glm::vec2 sample) const
+  /// Adds rays to the corners of the unit square; toward one sphere, whose outline is at the end of the first
+  /// coordinate, to a hexagon. Returns the number of rays.
+  std::uint32_t AimProbes(LightReceiver at, const OwenSobolSequence&)
   {
-    static_assert(First == 8);
-    if (this->Light.SampledEmitters->IsSphere())
+    const bool isSphere = this->Light.SampledEmitters->IsSphere();
+    const std::uint32_t probes = isSphere ? 6 : 4;
+    static_assert(First + 6 <= PacketSize);
+    for (std::uint32_t i = 0; i < probes; ++i)
     {
-      return i < 2 ? sample : glm::vec2(Outline.x, static_cast<float>(i - 2) / 6.f);
+      at.Sample = isSphere ? glm::vec2(Outline.x, static_cast<float>(i) / 6.f)
+                           : FindCorner({ static_cast<float>(i % 2), static_cast<float>(i / 2) });
+      this->Aim(First + i, at);
     }
-    return i < 4 ? sample : FindCorner(sample);
+    return First + probes;
   }
 
   std::array<Ray, PacketSize> Packet;
@@ -267,37 +283,24 @@ void Illumination::AddEstimate(const LightReceiver& at, std::uint32_t seed, doub
   float unshadowed = 0.f;
   for (std::uint32_t i = 0; i < Source::First; ++i)
   {
-    const glm::vec2 sample = sequence.At(i);
-    const glm::vec2 probe = source.FindProbe(i, sample);
-    weights[i] = aim(i, sample);
+    weights[i] = aim(i, sequence.At(i));
     unshadowed += source.Unshadowed[i] / Source::First;
-    if (probe != sample)
-    {
-      aim(i, probe);
-    }
-    if (!IsActive(source.Packet[i]))
-    {
-      aim(i, sample);
-    }
   }
-  source.Trace(Source::First, carried.data(), rays);
+  const std::uint32_t traced = source.AimProbes(at, sequence);
+  source.Trace(traced, carried.data(), rays);
   float least = 1.f;
   float most = 0.f;
-  const glm::vec3* common = nullptr;
-  bool isUniform = true;
-  for (std::uint32_t i = 0; i < Source::First; ++i)
+  for (std::uint32_t i = 0; i < traced; ++i)
   {
     if (IsActive(source.Packet[i]))
     {
       least = std::min(least, source.Visible[i]);
       most = std::max(most, source.Visible[i]);
-      common = common ? common : &carried[i];
-      isUniform = isUniform && carried[i] == *common;
     }
   }
   const double difference = std::max(most - least, 0.f) * unshadowed;
   const bool agrees = difference <= Source::FirstErrorFraction * tolerance;
-  bool usesFirst = agrees && isUniform;
+  bool usesFirst = agrees && (!Source::MovesFirst || least == most);
   const StratifiedMean found = EstimateMeanOfBatches(
     [&](const glm::vec2* samples, std::uint32_t count, glm::vec3* values) {
       if (!usesFirst)
