@@ -101,16 +101,19 @@ public:
 
   /// Moves some of the first rays: of a grid of 4 x 4 cells, from outer cells to the end of the row, and from corners
   /// to corners. Rows are those of the map, sampled by the first coordinate. Returns the number of rays.
-  std::uint32_t AimProbes(LightReceiver at, const OwenSobolSequence& sequence)
+  std::uint32_t AimProbes(LightReceiver at, const glm::vec2* samples)
   {
     for (std::uint32_t i = 0; i < First; ++i)
     {
-      const glm::vec2 sample = sequence.At(i);
+      const glm::vec2 sample = samples[i];
+      if (std::abs(2.f * sample.y - 1.f) <= 0.5f)
+      {
+        continue;
+      }
       const glm::vec2 corner = FindCorner(sample);
-      const bool isOuter = std::abs(2.f * sample.y - 1.f) > 0.5f;
-      const bool isCorner = isOuter && std::abs(2.f * sample.x - 1.f) > 0.5f;
+      const bool isCorner = std::abs(2.f * sample.x - 1.f) > 0.5f;
       const Ray ray = this->Packet[i];
-      at.Sample = { isCorner ? corner.x : sample.x, isOuter ? corner.y : sample.y };
+      at.Sample = { isCorner ? corner.x : sample.x, corner.y };
       this->Aim(i, at);
       if (!IsActive(this->Packet[i]))
       {
@@ -193,7 +196,7 @@ public:
 
   /// Adds rays to the corners of the unit square; toward one sphere, whose outline is at the end of the first
   /// coordinate, to a hexagon. Returns the number of rays.
-  std::uint32_t AimProbes(LightReceiver at, const OwenSobolSequence&)
+  std::uint32_t AimProbes(LightReceiver at, const glm::vec2*)
   {
     const bool isSphere = this->Light.SampledEmitters->IsSphere();
     const std::uint32_t probes = isSphere ? 6 : 4;
@@ -280,13 +283,15 @@ void Illumination::AddEstimate(const LightReceiver& at, std::uint32_t seed, doub
   const OwenSobolSequence sequence(seed);
   std::array<glm::vec3, PacketSize> carried;
   std::array<glm::vec3, PacketSize> weights;
+  std::array<glm::vec2, Source::First> firstSamples;
   float unshadowed = 0.f;
   for (std::uint32_t i = 0; i < Source::First; ++i)
   {
-    weights[i] = aim(i, sequence.At(i));
+    firstSamples[i] = sequence.At(i);
+    weights[i] = aim(i, firstSamples[i]);
     unshadowed += source.Unshadowed[i] / Source::First;
   }
-  const std::uint32_t traced = source.AimProbes(at, sequence);
+  const std::uint32_t traced = source.AimProbes(at, firstSamples.data());
   source.Trace(traced, carried.data(), rays);
   float least = 1.f;
   float most = 0.f;
