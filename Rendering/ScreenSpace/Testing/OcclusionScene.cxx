@@ -4,6 +4,7 @@
 
 #include "vtkPenumbraOcclusionConstants.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
 #include "vtkPlaneSource.h"
@@ -85,6 +86,15 @@ void OcclusionScene::UseParallelProjection(bool parallel, double halfHeight)
   this->Renderer->GetActiveCamera()->SetParallelProjection(parallel);
   this->Renderer->GetActiveCamera()->SetParallelScale(halfHeight);
   this->Renderer->ResetCameraClippingRange();
+}
+
+void OcclusionScene::CountWarnings()
+{
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetClientData(&this->Warnings);
+  counter->SetCallback(
+    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  this->Pass->AddObserver(vtkCommand::WarningEvent, counter);
 }
 
 vtkPenumbraTemporalSSAOPass* OcclusionScene::AddOcclusionPass(double radius)

@@ -41,6 +41,9 @@ public:
   /// Adds the occlusion pass with a radius in world units.
   vtkPenumbraTemporalSSAOPass* AddOcclusionPass(double radius);
 
+  /// Counts the warnings of the pass in `Warnings` from now on.
+  void CountWarnings();
+
   /// Returns an array of the last frame, row by row from the bottom.
   std::vector<float> Array(const std::string& name);
   /// Returns the image, RGBA, each in [0, 255].
@@ -59,6 +62,7 @@ public:
   int Width;
   int Height;
   vtkPenumbraTemporalSSAOPass* Pass = nullptr;
+  int Warnings = 0; ///< of the pass, since CountWarnings()
 };
 
 /// Adds a sphere on a floor in front of a wall, in units of `unit` around `at`, and sets the

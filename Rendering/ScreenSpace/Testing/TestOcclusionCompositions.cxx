@@ -6,7 +6,6 @@
 #include "Frame/Stage.h"
 #include "OcclusionScene.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -261,18 +260,13 @@ TEST(OcclusionCompositions, WarnOnceInStereoWithParallelProjection)
   scene.Window->Render();
   const std::vector<int> plain = scene.Image();
   scene.AddOcclusionPass(1.0);
-  int warnings = 0;
-  vtkNew<vtkCallbackCommand> counter;
-  counter->SetClientData(&warnings);
-  counter->SetCallback(
-    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
-  scene.Pass->AddObserver(vtkCommand::WarningEvent, counter);
+  scene.CountWarnings();
   for (int frame = 0; frame < 3; ++frame)
   {
     scene.Window->Render();
     EXPECT_EQ(LargestDifference(scene.Image(), plain), 0);
   }
-  EXPECT_EQ(warnings, 1);
+  EXPECT_EQ(scene.Warnings, 1);
 }
 
 TEST(OcclusionCompositions, LeaveOtherLayersUnchanged)

@@ -5,7 +5,6 @@
 #include "OcclusionScene.h"
 #include "vtkPenumbraOcclusionConstants.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -121,17 +120,12 @@ TEST(OcclusionInScenes, WarnsOnceIfTheMarginDoesNotFitIntoATexture)
   scene.Window->Render();
   const int largest =
     vtkTextureObject::GetMaximumTextureSize(vtkOpenGLRenderWindow::SafeDownCast(scene.Window));
-  int warnings = 0;
-  vtkNew<vtkCallbackCommand> counter;
-  counter->SetClientData(&warnings);
-  counter->SetCallback(
-    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
-  scene.Pass->AddObserver(vtkCommand::WarningEvent, counter);
+  scene.CountWarnings();
   for (const int width : { 64, largest, largest - 1, largest })
   {
     scene.Window->SetSize(width, 16);
     scene.Window->Render();
-    EXPECT_EQ(warnings, width == 64 ? 0 : 1);
+    EXPECT_EQ(scene.Warnings, width == 64 ? 0 : 1);
   }
 }
 
