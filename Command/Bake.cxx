@@ -12,7 +12,6 @@
 #include "Input/GridOffset.h"
 #include "Input/ReadLimit.h"
 #include "Input/Surfaces.h"
-#include "Options/Falloffs.h"
 #include "Options/SharedOptions.h"
 #include "Parsing/Arguments.h"
 #include "Processes/Clock.h"
@@ -149,16 +148,7 @@ void FindLostArrays(vtkFieldData* from, vtkFieldData* to, std::set<std::string>&
 vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, std::vector<std::string>& warnings)
 {
   const Surfaces surfaces = ReadSurfaces(path);
-  if (surfaces.DroppedPoints > 0)
-  {
-    warnings.push_back(path + ": " + std::to_string(surfaces.DroppedPoints) + " of " +
-      std::to_string(surfaces.Points) +
-      " points are not finite; they and the cells that use them were skipped");
-  }
-  if (surfaces.RoundingStep > 0.0)
-  {
-    warnings.push_back(path + ": " + DescribeRounding(surfaces));
-  }
+  warnings.insert(warnings.end(), surfaces.Warnings.begin(), surfaces.Warnings.end());
   vtkSmartPointer<vtkPolyData> mesh = surfaces.Meshes.front();
   if (surfaces.Meshes.size() > 1)
   {
@@ -319,19 +309,7 @@ int Bake(const BakeOptions& options, std::vector<std::string> warnings, Clock::t
   CollectWarnings(filter, warnings);
   TakeErrors();
   filter->Update();
-  const std::vector<std::string> errors = TakeErrors();
-  if (const std::string refusal = FindMemoryRefusal(errors); !refusal.empty())
-  {
-    throw CommandError(Unavailable, options.File + ": " + refusal);
-  }
-  if (IndicatesOutOfMemory(errors))
-  {
-    throw std::bad_alloc();
-  }
-  if (!errors.empty())
-  {
-    throw CommandError(BadInput, options.File + ": " + NameOptions(errors.front()));
-  }
+  ThrowErrors(options.File);
   const double bakeSeconds = SecondsSince(lap);
 
   EnterPhase("writing " + options.Output, Unavailable);

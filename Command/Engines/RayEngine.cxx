@@ -11,8 +11,8 @@
 #include "Input/Surfaces.h"
 #include "MediumSetup.h"
 #include "ObjectNames.h"
-#include "Options/Falloffs.h"
 #include "Options/RenderOptions.h"
+#include "Options/SharedOptions.h"
 #include "Processes/Clock.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
@@ -40,7 +40,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <new>
 #include <utility>
 
 namespace penumbra
@@ -235,19 +234,7 @@ RenderResult Draw(vtkPenumbraRayCaster* caster, vtkRenderer* renderer, const Ren
   {
     warning = NameObjects(warning, renderer);
   }
-  const std::vector<std::string> errors = TakeErrors();
-  if (const std::string refusal = FindMemoryRefusal(errors); !refusal.empty())
-  {
-    throw CommandError(Unavailable, "--engine ray: " + refusal);
-  }
-  if (IndicatesOutOfMemory(errors))
-  {
-    throw std::bad_alloc();
-  }
-  if (!errors.empty())
-  {
-    throw CommandError(BadInput, "--engine ray: " + NameOptions(errors.front()));
-  }
+  ThrowErrors("--engine ray");
 
   result.Image = vtkSmartPointer<vtkImageData>::New();
   result.Image->ShallowCopy(caster->GetOutput());

@@ -97,23 +97,9 @@ Surfaces ReadMeshes(const std::vector<std::string>& files, const InputOptions& i
   {
     progress.Show("reading", static_cast<double>(i) / files.size());
     EnterPhase(files[i], BadInput);
-    const Surfaces surfaces = ReadSurfaces(files[i], input);
-    all.Append(surfaces);
-    for (const std::string& warning : surfaces.Warnings)
-    {
-      warnings.push_back(files[i] + ": " + warning);
-    }
-    if (surfaces.DroppedPoints > 0)
-    {
-      warnings.push_back(files[i] + ": " + std::to_string(surfaces.DroppedPoints) + " of " +
-        std::to_string(surfaces.Points) +
-        " points are not finite; they and the cells that use them were skipped");
-    }
-    if (surfaces.RoundingStep > 0.0)
-    {
-      warnings.push_back(files[i] + ": " + DescribeRounding(surfaces));
-    }
+    all.Append(ReadSurfaces(files[i], input));
   }
+  warnings.insert(warnings.end(), all.Warnings.begin(), all.Warnings.end());
   return all;
 }
 

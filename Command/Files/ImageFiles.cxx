@@ -4,13 +4,11 @@
 
 #include "AtomicFile.h"
 #include "FileExtension.h"
+#include "ImageBytes.h"
 #include "InputFiles.h"
 #include "MappedFile.h"
-#include "PixelDensity.h"
-#include "PngFile.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
-#include "TiffFile.h"
 
 #include "vtkBMPReader.h"
 #include "vtkBMPWriter.h"

@@ -117,30 +117,18 @@ private:
     }
     else if (keyword == "mtllib")
     {
-      this->Libraries.push_back(this->RestOfLine());
+      this->Libraries.push_back(this->Text.WordsInLine());
     }
     else if (keyword == "usemtl")
     {
-      const auto [found, isNew] =
-        this->MaterialIds.emplace(this->RestOfLine(), static_cast<int>(this->Materials.size()));
+      const auto [found, isNew] = this->MaterialIds.emplace(
+        this->Text.WordsInLine(), static_cast<int>(this->Materials.size()));
       if (isNew)
       {
         this->Materials.push_back(found->first);
       }
       this->Material = found->second;
     }
-  }
-
-  /// Returns the words left in the line: names may contain blanks.
-  std::string RestOfLine()
-  {
-    std::string rest;
-    for (std::string_view word = this->Text.WordInLine(); !word.empty();
-         word = this->Text.WordInLine())
-    {
-      rest += (rest.empty() ? "" : " ") + std::string(word);
-    }
-    return rest;
   }
 
   void ReadVertex()

@@ -3,12 +3,14 @@
 #include "PlyBody.h"
 
 #include "vtkDataArray.h"
+#include "vtkSetGet.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 namespace penumbra
 {
@@ -24,22 +26,13 @@ double Decode(const char* bytes)
   return static_cast<double>(value);
 }
 
-double Decode(const PlyType& type, const char* bytes)
+double Decode(int type, const char* bytes)
 {
-  switch (type.Size)
+  switch (type)
   {
-    case 1:
-      return type.IsSigned ? Decode<std::int8_t>(bytes) : Decode<std::uint8_t>(bytes);
-    case 2:
-      return type.IsSigned ? Decode<std::int16_t>(bytes) : Decode<std::uint16_t>(bytes);
-    case 4:
-      return type.IsFloat ? Decode<float>(bytes)
-        : type.IsSigned   ? Decode<std::int32_t>(bytes)
-                          : Decode<std::uint32_t>(bytes);
+    vtkTemplateMacro(return Decode<VTK_TT>(bytes));
     default:
-      return type.IsFloat ? Decode<double>(bytes)
-        : type.IsSigned   ? Decode<std::int64_t>(bytes)
-                          : Decode<std::uint64_t>(bytes);
+      return 0.0;
   }
 }
 
@@ -47,6 +40,10 @@ double Decode(const PlyType& type, const char* bytes)
 template <typename T>
 T Convert(double value)
 {
+  if (std::is_floating_point<T>::value)
+  {
+    return static_cast<T>(value);
+  }
   if (std::isnan(value))
   {
     return T(0);
@@ -58,21 +55,6 @@ T Convert(double value)
                       : static_cast<T>(value);
 }
 
-}
-
-int VtkType(const PlyType& type)
-{
-  switch (type.Size)
-  {
-    case 1:
-      return type.IsSigned ? VTK_SIGNED_CHAR : VTK_UNSIGNED_CHAR;
-    case 2:
-      return type.IsSigned ? VTK_SHORT : VTK_UNSIGNED_SHORT;
-    case 4:
-      return type.IsFloat ? VTK_FLOAT : type.IsSigned ? VTK_INT : VTK_UNSIGNED_INT;
-    default:
-      return type.IsFloat ? VTK_DOUBLE : type.IsSigned ? VTK_LONG_LONG : VTK_UNSIGNED_LONG_LONG;
-  }
 }
 
 PlyTarget::PlyTarget(vtkDataArray* array, int component)
@@ -88,35 +70,7 @@ void PlyTarget::Set(long long row, double value) const
   const long long index = row * this->Stride + this->Component;
   switch (this->Type)
   {
-    case VTK_FLOAT:
-      static_cast<float*>(this->Values)[index] = static_cast<float>(value);
-      break;
-    case VTK_DOUBLE:
-      static_cast<double*>(this->Values)[index] = value;
-      break;
-    case VTK_SIGNED_CHAR:
-      static_cast<signed char*>(this->Values)[index] = Convert<signed char>(value);
-      break;
-    case VTK_UNSIGNED_CHAR:
-      static_cast<unsigned char*>(this->Values)[index] = Convert<unsigned char>(value);
-      break;
-    case VTK_SHORT:
-      static_cast<short*>(this->Values)[index] = Convert<short>(value);
-      break;
-    case VTK_UNSIGNED_SHORT:
-      static_cast<unsigned short*>(this->Values)[index] = Convert<unsigned short>(value);
-      break;
-    case VTK_INT:
-      static_cast<int*>(this->Values)[index] = Convert<int>(value);
-      break;
-    case VTK_UNSIGNED_INT:
-      static_cast<unsigned int*>(this->Values)[index] = Convert<unsigned int>(value);
-      break;
-    case VTK_LONG_LONG:
-      static_cast<long long*>(this->Values)[index] = Convert<long long>(value);
-      break;
-    default:
-      static_cast<unsigned long long*>(this->Values)[index] = Convert<unsigned long long>(value);
+    vtkTemplateMacro(static_cast<VTK_TT*>(this->Values)[index] = Convert<VTK_TT>(value));
   }
 }
 
@@ -140,33 +94,36 @@ bool PlyBody::CanHold(const PlyElement& element) const
   for (const PlyProperty& property : element.Properties)
   {
     // An ASCII value is a digit and a separator.
-    bytes += this->IsAscii ? 2 : property.IsList() ? property.Count.Size : property.Type.Size;
+    bytes += this->IsAscii ? 2
+      : property.IsList()  ? vtkDataArray::GetDataTypeSize(property.Count)
+                           : vtkDataArray::GetDataTypeSize(property.Type);
   }
   return bytes * static_cast<double>(element.Count) <= static_cast<double>(this->Left()) + 1.0;
 }
 
-PlyBody::Row PlyBody::ReadValue(const PlyType& type, double& value)
+PlyBody::Row PlyBody::ReadValue(int type, double& value)
 {
   if (this->IsAscii)
   {
     const std::string_view word = this->Text.Word();
     return word.empty() ? Row::Truncated : ParseNumber(word, value) ? Row::Complete : Row::Damaged;
   }
-  if (this->End - this->At < type.Size)
+  const int size = vtkDataArray::GetDataTypeSize(type);
+  if (this->End - this->At < size)
   {
     return Row::Truncated;
   }
   if (this->IsBigEndian)
   {
     char bytes[8];
-    std::reverse_copy(this->At, this->At + type.Size, bytes);
+    std::reverse_copy(this->At, this->At + size, bytes);
     value = Decode(type, bytes);
   }
   else
   {
     value = Decode(type, this->At);
   }
-  this->At += type.Size;
+  this->At += size;
   return Row::Complete;
 }
 
@@ -183,7 +140,7 @@ PlyBody::Row PlyBody::ReadList(
   {
     return Row::Damaged;
   }
-  const double bytes = this->IsAscii ? 2 : property.Type.Size;
+  const double bytes = this->IsAscii ? 2 : vtkDataArray::GetDataTypeSize(property.Type);
   if (count * bytes > static_cast<double>(this->Left()) + 1.0)
   {
     return Row::Truncated;

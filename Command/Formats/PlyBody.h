@@ -17,9 +17,6 @@ class vtkDataArray;
 namespace penumbra
 {
 
-/// Returns the VTK type of values of `type`.
-int VtkType(const PlyType& type);
-
 /// Where the values of a property go: a component of an array, or nowhere.
 class PlyTarget
 {
@@ -58,7 +55,7 @@ public:
     int list, std::vector<vtkIdType>& indices);
 
 private:
-  Row ReadValue(const PlyType& type, double& value);
+  Row ReadValue(int type, double& value);
   Row ReadList(const PlyProperty& property, bool isWanted, std::vector<vtkIdType>& indices);
   std::size_t Left() const;
 

@@ -12,21 +12,19 @@ namespace penumbra
 namespace
 {
 
-PlyType TypeOf(std::string_view name)
+/// Returns a VTK type; VTK_VOID: unknown.
+int TypeOf(std::string_view name)
 {
-  static const std::map<std::string_view, PlyType> types = { { "char", { 1, false, true } },
-    { "int8", { 1, false, true } }, { "uchar", { 1, false, false } },
-    { "uint8", { 1, false, false } }, { "short", { 2, false, true } },
-    { "int16", { 2, false, true } }, { "ushort", { 2, false, false } },
-    { "uint16", { 2, false, false } }, { "int", { 4, false, true } },
-    { "int32", { 4, false, true } }, { "uint", { 4, false, false } },
-    { "uint32", { 4, false, false } }, { "int64", { 8, false, true } },
-    { "long", { 8, false, true } }, { "uint64", { 8, false, false } },
-    { "ulong", { 8, false, false } }, { "float", { 4, true, true } },
-    { "float32", { 4, true, true } }, { "double", { 8, true, true } },
-    { "float64", { 8, true, true } } };
+  static const std::map<std::string_view, int> types = { { "char", VTK_SIGNED_CHAR },
+    { "int8", VTK_SIGNED_CHAR }, { "uchar", VTK_UNSIGNED_CHAR }, { "uint8", VTK_UNSIGNED_CHAR },
+    { "short", VTK_SHORT }, { "int16", VTK_SHORT }, { "ushort", VTK_UNSIGNED_SHORT },
+    { "uint16", VTK_UNSIGNED_SHORT }, { "int", VTK_INT }, { "int32", VTK_INT },
+    { "uint", VTK_UNSIGNED_INT }, { "uint32", VTK_UNSIGNED_INT }, { "int64", VTK_LONG_LONG },
+    { "long", VTK_LONG_LONG }, { "uint64", VTK_UNSIGNED_LONG_LONG },
+    { "ulong", VTK_UNSIGNED_LONG_LONG }, { "float", VTK_FLOAT }, { "float32", VTK_FLOAT },
+    { "double", VTK_DOUBLE }, { "float64", VTK_DOUBLE } };
   const auto found = types.find(name);
-  return found == types.end() ? PlyType() : found->second;
+  return found == types.end() ? VTK_VOID : found->second;
 }
 
 bool ParseElement(TextScanner& line, PlyHeader& header)
@@ -50,8 +48,9 @@ bool ParseProperty(TextScanner& line, PlyHeader& header)
   }
   property.Type = TypeOf(type);
   property.Name = line.WordInLine();
-  if (property.Name.empty() || header.Elements.empty() || property.Type.Size == 0 ||
-    (isList && property.Count.Size == 0) || property.Count.IsFloat)
+  if (property.Name.empty() || header.Elements.empty() || property.Type == VTK_VOID ||
+    (isList && property.Count == VTK_VOID) || property.Count == VTK_FLOAT ||
+    property.Count == VTK_DOUBLE)
   {
     return false;
   }

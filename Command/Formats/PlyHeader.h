@@ -5,6 +5,8 @@
 #ifndef penumbra_PlyHeader_h
 #define penumbra_PlyHeader_h
 
+#include "vtkType.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -12,21 +14,13 @@
 namespace penumbra
 {
 
-/// A type of values: number of bytes and meaning of the bits.
-struct PlyType
-{
-  int Size = 0; ///< 0: unknown type
-  bool IsFloat = false;
-  bool IsSigned = false;
-};
-
 struct PlyProperty
 {
-  PlyType Count; ///< type of the length of a list; Size 0: a single value
-  PlyType Type;
+  int Count = VTK_VOID; ///< VTK type of the length of a list; VTK_VOID: a single value
+  int Type = VTK_VOID;  ///< VTK type
   std::string Name;
 
-  bool IsList() const { return this->Count.Size > 0; }
+  bool IsList() const { return this->Count != VTK_VOID; }
 };
 
 struct PlyElement

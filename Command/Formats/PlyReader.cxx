@@ -71,20 +71,19 @@ std::vector<int> FindProperties(const PlyElement& element, const Names& names)
 int CommonType(
   const PlyElement& element, const std::vector<int>& properties, bool isPosition, bool isAscii)
 {
-  PlyType widest = element.Properties[properties.front()].Type;
+  const auto isFloat = [](int type) { return type == VTK_FLOAT || type == VTK_DOUBLE; };
+  const auto isSigned = [](int type) { return vtkDataArray::GetDataTypeMin(type) < 0.0; };
+  int widest = element.Properties[properties.front()].Type;
   for (const int i : properties)
   {
-    const PlyType& type = element.Properties[i].Type;
-    const bool mixed = type.IsFloat != widest.IsFloat || type.IsSigned != widest.IsSigned;
-    widest = { mixed ? 8 : std::max(type.Size, widest.Size), mixed || type.IsFloat,
-      mixed || type.IsSigned };
+    const int type = element.Properties[i].Type;
+    const bool isLarger =
+      vtkDataArray::GetDataTypeSize(type) > vtkDataArray::GetDataTypeSize(widest);
+    const bool isMixed = isFloat(type) != isFloat(widest) || isSigned(type) != isSigned(widest);
+    widest = isMixed ? VTK_DOUBLE : isLarger ? type : widest;
   }
   // Digits of a text may exceed the declared type.
-  if (isPosition && (isAscii || !widest.IsFloat))
-  {
-    return VTK_DOUBLE;
-  }
-  return VtkType(widest);
+  return isPosition && (isAscii || !isFloat(widest)) ? VTK_DOUBLE : widest;
 }
 
 /// Directs the single values of an element into arrays, by property.
@@ -120,7 +119,7 @@ Arrays AssignArrays(const PlyElement& element, bool isAscii, std::vector<PlyTarg
     const PlyProperty& property = element.Properties[i];
     if (!property.IsList() && targets[i].IsEmpty() && !arrays.count(property.Name))
     {
-      assign(property.Name, { static_cast<int>(i) }, VtkType(property.Type));
+      assign(property.Name, { static_cast<int>(i) }, property.Type);
     }
   }
   return arrays;
@@ -159,7 +158,7 @@ int FindIndexList(const PlyElement& element)
     {
       return static_cast<int>(i);
     }
-    if (found < 0 && property.IsList() && !property.Type.IsFloat)
+    if (found < 0 && property.IsList() && property.Type != VTK_FLOAT && property.Type != VTK_DOUBLE)
     {
       found = static_cast<int>(i);
     }

@@ -59,12 +59,19 @@ vtkSmartPointer<vtkDataObject> ReadPts(const std::string& path)
   colors->SetName("Color");
   colors->SetNumberOfComponents(3);
   int columns = 0;
+  double announced = -1.0; ///< number of points in the first line
   double values[MaximumColumns];
   for (long long line = 1; !text.AtEnd(); ++line)
   {
     const int count = ReadLine(path, text, line, values);
+    const bool hasPoints = points->GetNumberOfPoints() > 0;
+    if (count > 0 && hasPoints && count < columns && text.Peek().empty())
+    {
+      ThrowTruncated(path, "point");
+    }
     if (count < 2) // empty, or the number of points that follow
     {
+      announced = count == 1 && announced < 0.0 && !hasPoints ? values[0] : announced;
       continue;
     }
     columns = columns == 0 ? count : columns;
@@ -85,6 +92,11 @@ vtkSmartPointer<vtkDataObject> ReadPts(const std::string& path)
         colors->InsertNextValue(static_cast<unsigned char>(value));
       }
     }
+  }
+  if (points->GetNumberOfPoints() == 0 ||
+    static_cast<double>(points->GetNumberOfPoints()) < announced)
+  {
+    ThrowTruncated(path, "point");
   }
   vtkNew<vtkCellArray> vertices;
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)

@@ -127,6 +127,16 @@ std::string_view TextScanner::WordInLine()
   return { begin, static_cast<std::size_t>(this->At - begin) };
 }
 
+std::string TextScanner::WordsInLine()
+{
+  std::string words;
+  for (std::string_view word = this->WordInLine(); !word.empty(); word = this->WordInLine())
+  {
+    words += (words.empty() ? "" : " ") + std::string(word);
+  }
+  return words;
+}
+
 std::string_view TextScanner::Word()
 {
   for (;;)

@@ -6,6 +6,7 @@
 #define penumbra_TextScanner_h
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace penumbra
@@ -27,6 +28,9 @@ public:
 
   /// Returns the next word of the line; empty at its end. A backslash at the end continues a line.
   std::string_view WordInLine();
+
+  /// Returns the words left in the line with single blanks between them: a name that may contain blanks.
+  std::string WordsInLine();
 
   /// Returns the next word of the text; empty at its end.
   std::string_view Word();

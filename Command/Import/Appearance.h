@@ -15,8 +15,10 @@ class vtkActor;
 class vtkCamera;
 class vtkDataObject;
 class vtkDataSet;
+class vtkImporter;
 class vtkLight;
 class vtkPolyData;
+class vtkRenderer;
 
 namespace penumbra
 {
@@ -42,6 +44,9 @@ std::vector<vtkDataSet*> FindDataSets(vtkDataObject* data);
 
 /// Returns `mesh` without the points that no cell uses.
 vtkSmartPointer<vtkPolyData> RemoveUnusedPoints(vtkPolyData* mesh);
+
+/// Runs an importer of VTK without a graphics context, and returns the renderer that it fills and keeps alive.
+vtkRenderer* RunImporter(vtkImporter* importer);
 
 ///@{
 /// Read the appearance of a file whose surfaces are `data`, and return the data sets to which

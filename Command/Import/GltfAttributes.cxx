@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GltfAttributes.h"
 
+#include "GltfContainer.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -23,13 +25,6 @@ enum ComponentTypes
   UInt32 = 5125,
   Float32 = 5126
 };
-
-const Json& List(const Json& root, const char* name)
-{
-  static const Json empty = Json::array();
-  const auto found = root.find(name);
-  return found != root.end() && found->is_array() ? *found : empty;
-}
 
 void AddQuantized(const Json& root, const Json& attributes, std::set<std::size_t>& found)
 {
@@ -57,31 +52,6 @@ void Append(const std::string& elements, double largest, std::vector<float>& val
     std::memcpy(&value, &elements[i], sizeof(value));
     const double quotient = double(value) / largest;
     values.push_back(static_cast<float>(largest > 1.0 ? std::max(-1.0, quotient) : quotient));
-  }
-}
-
-/// Calls `visit` for each reference to a texture of a material, with the object that contains it and its
-/// name.
-template <typename Visitor>
-void VisitTextures(Json& object, const Visitor& visit)
-{
-  std::vector<std::string> names;
-  for (auto& [name, value] : object.items())
-  {
-    const bool isTexture = value.is_object() && value.contains("index") && name.size() >= 7 &&
-      name.compare(name.size() - 7, 7, "Texture") == 0;
-    if (isTexture)
-    {
-      names.push_back(name);
-    }
-    else if (value.is_object())
-    {
-      VisitTextures(value, visit);
-    }
-  }
-  for (const std::string& name : names)
-  {
-    visit(object, name);
   }
 }
 
@@ -149,12 +119,12 @@ int ReduceToOneSet(Json& material, bool& isReduced)
 std::set<std::size_t> FindQuantizedAccessors(const Json& root)
 {
   std::set<std::size_t> found;
-  for (const Json& mesh : List(root, "meshes"))
+  for (const Json& mesh : ListOf(root, "meshes"))
   {
-    for (const Json& primitive : List(mesh, "primitives"))
+    for (const Json& primitive : ListOf(mesh, "primitives"))
     {
       AddQuantized(root, primitive.value("attributes", Json::object()), found);
-      for (const Json& target : List(primitive, "targets"))
+      for (const Json& target : ListOf(primitive, "targets"))
       {
         AddQuantized(root, target, found);
       }
@@ -189,15 +159,15 @@ std::vector<float> ToFloats(const std::string& elements, const Json& accessor)
 
 void AddScene(Json& root)
 {
-  const Json& nodes = List(root, "nodes");
-  if (nodes.empty() || !List(root, "scenes").empty())
+  const Json& nodes = ListOf(root, "nodes");
+  if (nodes.empty() || !ListOf(root, "scenes").empty())
   {
     return;
   }
   std::set<std::size_t> children;
   for (const Json& node : nodes)
   {
-    for (const Json& child : List(node, "children"))
+    for (const Json& child : ListOf(node, "children"))
     {
       children.insert(child.get<std::size_t>());
     }

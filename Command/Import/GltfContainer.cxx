@@ -136,6 +136,13 @@ std::string WriteGlb(const nlohmann::json& root, const std::string& binary, cons
   return name;
 }
 
+const nlohmann::json& ListOf(const nlohmann::json& object, const char* name)
+{
+  static const nlohmann::json empty = nlohmann::json::array();
+  const auto found = object.find(name);
+  return found != object.end() && found->is_array() ? *found : empty;
+}
+
 std::size_t ComponentSize(int type)
 {
   return type == 5120 || type == 5121 ? 1 : type == 5122 || type == 5123 ? 2 : 4;

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace penumbra
 {
@@ -20,6 +21,9 @@ struct GltfContainer
 };
 
 GltfContainer ReadGltf(const std::string& path);
+
+/// Returns the list `name` of an object; an empty one if it is missing or no list.
+const nlohmann::json& ListOf(const nlohmann::json& object, const char* name);
 
 /// Size in bytes of a number of a `componentType`.
 std::size_t ComponentSize(int type);
@@ -37,6 +41,31 @@ std::string DecodeDataUri(const std::string& uri);
 
 /// Returns the path of a relative URI, with / as the separator.
 std::string DecodePath(const std::string& uri);
+
+/// Calls `visit` for each reference to a texture of a material, with the object that contains it and its
+/// name.
+template <typename Visitor>
+void VisitTextures(nlohmann::json& object, const Visitor& visit)
+{
+  std::vector<std::string> names;
+  for (auto& [name, value] : object.items())
+  {
+    const bool isTexture = value.is_object() && value.contains("index") && name.size() >= 7 &&
+      name.compare(name.size() - 7, 7, "Texture") == 0;
+    if (isTexture)
+    {
+      names.push_back(name);
+    }
+    else if (value.is_object())
+    {
+      VisitTextures(value, visit);
+    }
+  }
+  for (const std::string& name : names)
+  {
+    visit(object, name);
+  }
+}
 
 }
 #endif

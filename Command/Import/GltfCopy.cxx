@@ -48,7 +48,7 @@ public:
   /// Throws CommandError if there is nothing to show, which VTK's reader reports as invalid JSON.
   void RequireMeshes() const
   {
-    if (this->Root.is_object() && this->List("meshes").empty())
+    if (this->Root.is_object() && ListOf(this->Root, "meshes").empty())
     {
       this->Fail("the mesh is empty; choose a file that contains cells or points");
     }
@@ -61,10 +61,10 @@ public:
     {
       return false;
     }
-    const Json& accessors = this->List("accessors");
+    const Json& accessors = ListOf(this->Root, "accessors");
     const bool isSparse = std::any_of(accessors.begin(), accessors.end(),
       [](const Json& accessor) { return accessor.contains("sparse"); });
-    const Json& buffers = this->List("buffers");
+    const Json& buffers = ListOf(this->Root, "buffers");
     const bool isUnusual = std::any_of(buffers.begin(), buffers.end(), [](const Json& buffer) {
       const std::string uri = buffer.value("uri", std::string());
       return uri.find_first_of(" \\") != uri.npos && uri.compare(0, 5, "data:") != 0;
@@ -126,13 +126,6 @@ private:
     return WriteGlb(this->Root, this->Joined, this->Path);
   }
 
-  const Json& List(const char* name) const
-  {
-    static const Json empty = Json::array();
-    const auto found = this->Root.find(name);
-    return found != this->Root.end() && found->is_array() ? *found : empty;
-  }
-
   [[noreturn]] void Fail(const std::string& problem) const
   {
     throw CommandError(BadInput, this->Path + ": " + problem);
@@ -140,7 +133,7 @@ private:
 
   void RefuseCompression() const
   {
-    for (const Json& extension : this->List("extensionsRequired"))
+    for (const Json& extension : ListOf(this->Root, "extensionsRequired"))
     {
       const std::string name = extension.get<std::string>();
       if (name.find("compression") != name.npos)
@@ -174,7 +167,7 @@ private:
   {
     std::vector<std::size_t> offsets;
     std::vector<std::size_t> ends;
-    for (const Json& buffer : this->List("buffers"))
+    for (const Json& buffer : ListOf(this->Root, "buffers"))
     {
       this->Joined.resize((this->Joined.size() + 3) / 4 * 4);
       offsets.push_back(this->Joined.size());
@@ -283,7 +276,7 @@ private:
   /// Adds the largest time of animations, which version 2 requires and version 1 does not.
   void AddEndsOfAnimations()
   {
-    for (const Json& animation : this->List("animations"))
+    for (const Json& animation : ListOf(this->Root, "animations"))
     {
       for (const Json& sampler : animation.at("samplers"))
       {
@@ -355,7 +348,7 @@ private:
   {
     std::set<std::size_t> bad;
     const std::set<std::size_t> used = FindUsedImages(this->Root);
-    Json images = this->List("images");
+    Json images = ListOf(this->Root, "images");
     for (std::size_t i = 0; i < images.size(); ++i)
     {
       const bool isUsed =

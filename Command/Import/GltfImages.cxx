@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GltfImages.h"
 
-#include "Files/PngFile.h"
+#include "Files/ImageBytes.h"
 #include "Files/TemporaryFile.h"
+#include "GltfContainer.h"
 #include "Processes/MessageLog.h"
 
 #include "vtkImageData.h"
@@ -40,32 +41,6 @@ bool CanDecode(const std::string& bytes)
   reader->Update();
   return TakeErrors().empty() && reader->GetOutput()->GetNumberOfPoints() > 0 &&
     reader->GetOutput()->GetScalarPointer();
-}
-
-/// Removes the textures of an object of a material, which may contain others.
-void RemoveReferences(Json& object, const std::set<std::size_t>& badTextures, std::size_t count)
-{
-  for (auto entry = object.begin(); entry != object.end();)
-  {
-    Json& value = entry.value();
-    const bool isTexture = value.is_object() && value.contains("index") &&
-      entry.key().size() >= 7 && entry.key().compare(entry.key().size() - 7, 7, "Texture") == 0;
-    if (isTexture)
-    {
-      const Json& index = value["index"];
-      if (!index.is_number_unsigned() || index.get<std::size_t>() >= count ||
-        badTextures.count(index.get<std::size_t>()) > 0)
-      {
-        entry = object.erase(entry);
-        continue;
-      }
-    }
-    else if (value.is_object())
-    {
-      RemoveReferences(value, badTextures, count);
-    }
-    ++entry;
-  }
 }
 
 }
@@ -105,16 +80,12 @@ std::string MakeWhitePng()
 std::set<std::size_t> FindUsedImages(const nlohmann::json& root)
 {
   std::set<std::size_t> used;
-  const auto textures = root.find("textures");
-  if (textures != root.end() && textures->is_array())
+  for (const Json& texture : ListOf(root, "textures"))
   {
-    for (const Json& texture : *textures)
+    const auto source = texture.find("source");
+    if (source != texture.end() && source->is_number_unsigned())
     {
-      const auto source = texture.find("source");
-      if (source != texture.end() && source->is_number_unsigned())
-      {
-        used.insert(source->get<std::size_t>());
-      }
+      used.insert(source->get<std::size_t>());
     }
   }
   return used;
@@ -122,30 +93,34 @@ std::set<std::size_t> FindUsedImages(const nlohmann::json& root)
 
 void RemoveTextures(nlohmann::json& root, const std::set<std::size_t>& badImages)
 {
-  std::set<std::size_t> badTextures;
-  const auto textures = root.find("textures");
-  const std::size_t count =
-    textures != root.end() && textures->is_array() ? textures->size() : std::size_t(0);
-  const auto images = root.find("images");
-  const std::size_t imageCount =
-    images != root.end() && images->is_array() ? images->size() : std::size_t(0);
-  for (std::size_t i = 0; i < count; ++i)
+  std::set<std::size_t> goodTextures;
+  const std::size_t images = ListOf(root, "images").size();
+  for (std::size_t i = 0; i < ListOf(root, "textures").size(); ++i)
   {
-    Json& texture = (*textures)[i];
+    Json& texture = root["textures"][i];
     const auto source = texture.find("source");
     const bool isValid = source != texture.end() && source->is_number_unsigned() &&
-      source->get<std::size_t>() < imageCount && badImages.count(source->get<std::size_t>()) == 0;
-    if (!isValid)
+      source->get<std::size_t>() < images && badImages.count(source->get<std::size_t>()) == 0;
+    if (isValid)
     {
-      badTextures.insert(i);
+      goodTextures.insert(i);
+    }
+    else
+    {
       texture["source"] = 0;
     }
   }
   for (Json& material : root["materials"])
   {
-    RemoveReferences(material, badTextures, imageCount > 0 ? count : 0);
+    VisitTextures(material, [&goodTextures](Json& object, const std::string& name) {
+      const Json& index = object[name]["index"];
+      if (!index.is_number_unsigned() || goodTextures.count(index.get<std::size_t>()) == 0)
+      {
+        object.erase(name);
+      }
+    });
   }
-  if (imageCount == 0)
+  if (images == 0)
   {
     root.erase("textures");
   }

@@ -7,7 +7,6 @@
 
 #include "CollectionItems.h"
 #include "Files/TemporaryFile.h"
-#include "ImporterScene.h"
 #include "Processes/MessageLog.h"
 
 #include "vtkActor.h"

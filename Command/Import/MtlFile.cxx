@@ -55,16 +55,6 @@ double ParseValue(TextScanner& text, double otherwise)
   return value[0];
 }
 
-std::string RestOfLine(TextScanner& text)
-{
-  std::string rest;
-  for (std::string_view word = text.WordInLine(); !word.empty(); word = text.WordInLine())
-  {
-    rest += (rest.empty() ? "" : " ") + std::string(word);
-  }
-  return rest;
-}
-
 /// Parses the options and the path of a texture.
 void ParseTexture(TextScanner& text, MtlMaterial& material)
 {
@@ -97,7 +87,7 @@ void ParseTexture(TextScanner& text, MtlMaterial& material)
       text.WordInLine();
     }
   }
-  material.Texture = RestOfLine(text);
+  material.Texture = text.WordsInLine();
   std::replace(material.Texture.begin(), material.Texture.end(), '\\', '/');
 }
 
@@ -118,7 +108,7 @@ bool ReadMtl(const std::string& path, MtlMaterials& materials)
     const std::string_view keyword = text.WordInLine();
     if (keyword == "newmtl")
     {
-      material = &materials[RestOfLine(text)];
+      material = &materials[text.WordsInLine()];
       *material = MtlMaterial();
     }
     else if (keyword == "Kd")

@@ -7,16 +7,18 @@
 #include "Files/ImageFiles.h"
 #include "Files/InputFiles.h"
 #include "Formats/MeshReaders.h"
-#include "MaterialSplit.h"
 #include "MtlFile.h"
 #include "Processes/CommandError.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMultiBlockDataSet.h"
@@ -25,6 +27,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTexture.h"
 #include "vtkTransform.h"
@@ -33,12 +36,66 @@
 #include <map>
 #include <new>
 #include <sstream>
+#include <vector>
 
 namespace penumbra
 {
 
 namespace
 {
+
+/// The cells of one material: those of each kind, and their ids.
+struct Part
+{
+  vtkNew<vtkCellArray> Cells[3];
+  vtkNew<vtkIdList> Ids;
+};
+
+/// Makes the mesh of a part, without the points that it does not use.
+vtkSmartPointer<vtkPolyData> MakeMesh(vtkPolyData* whole, const Part& part)
+{
+  vtkNew<vtkPolyData> mesh;
+  mesh->SetPoints(whole->GetPoints());
+  mesh->GetPointData()->ShallowCopy(whole->GetPointData());
+  mesh->SetVerts(part.Cells[0]);
+  mesh->SetLines(part.Cells[1]);
+  mesh->SetPolys(part.Cells[2]);
+  mesh->GetCellData()->CopyAllocate(whole->GetCellData(), part.Ids->GetNumberOfIds());
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName(OriginalCellIds);
+  for (vtkIdType i = 0; i < part.Ids->GetNumberOfIds(); ++i)
+  {
+    mesh->GetCellData()->CopyData(whole->GetCellData(), part.Ids->GetId(i), i);
+    ids->InsertNextValue(part.Ids->GetId(i));
+  }
+  mesh->GetCellData()->AddArray(ids);
+  return RemoveUnusedPoints(mesh);
+}
+
+/// Returns one mesh per value of `ids`, with the arrays of the whole mesh and its cell ids, OriginalCellIds.
+std::map<int, vtkSmartPointer<vtkPolyData>> SplitByMaterial(vtkPolyData* mesh, vtkDataArray* ids)
+{
+  std::map<int, Part> parts;
+  vtkCellArray* kinds[3] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys() };
+  vtkNew<vtkIdList> corners;
+  vtkIdType cell = 0;
+  for (int kind = 0; kind < 3; ++kind)
+  {
+    for (vtkIdType i = 0; i < kinds[kind]->GetNumberOfCells(); ++i, ++cell)
+    {
+      kinds[kind]->GetCellAtId(i, corners);
+      Part& part = parts[static_cast<int>(ids->GetComponent(cell, 0))];
+      part.Cells[kind]->InsertNextCell(corners);
+      part.Ids->InsertNextId(cell);
+    }
+  }
+  std::map<int, vtkSmartPointer<vtkPolyData>> result;
+  for (const auto& [id, part] : parts)
+  {
+    result[id] = MakeMesh(mesh, part);
+  }
+  return result;
+}
 
 namespace fs = std::filesystem;
 
@@ -240,12 +297,11 @@ vtkSmartPointer<vtkDataObject> ImportObj(
     {
       continue;
     }
-    for (const MaterialPart& part : SplitByMaterial(mesh, ids))
+    for (const auto& [id, part] : SplitByMaterial(mesh, ids))
     {
-      blocks->SetBlock(blocks->GetNumberOfBlocks(), part.Mesh);
-      const bool isKnown = part.Id >= 0 && part.Id < names->GetNumberOfValues();
-      vtkSmartPointer<vtkActor> actor =
-        isKnown ? importer.MakeActor(names->GetValue(part.Id)) : nullptr;
+      blocks->SetBlock(blocks->GetNumberOfBlocks(), part);
+      const bool isKnown = id >= 0 && id < names->GetNumberOfValues();
+      vtkSmartPointer<vtkActor> actor = isKnown ? importer.MakeActor(names->GetValue(id)) : nullptr;
       if (!actor && leaf->GetPointData()->GetScalars())
       {
         actor = vtkSmartPointer<vtkActor>::New();

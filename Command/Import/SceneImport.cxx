@@ -5,9 +5,9 @@
 #include "Appearance.h"
 
 #include "CollectionItems.h"
-#include "ImporterScene.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
+#include "SizeOnlyWindow.h"
 
 #include "vtk3DS.h"
 #include "vtk3DSImporter.h"
@@ -27,8 +27,6 @@
 #include "vtkTransform.h"
 #include "vtkTransformFilter.h"
 #include "vtkVRMLImporter.h"
-
-#include <new>
 
 namespace penumbra
 {
@@ -101,10 +99,7 @@ vtkSmartPointer<vtkDataObject> Import(
     }
   }
   const std::vector<std::string> errors = TakeErrors();
-  if (IndicatesOutOfMemory(errors))
-  {
-    throw std::bad_alloc();
-  }
+  RequireMemory(errors);
   if (!errors.empty())
   {
     throw CommandError(
@@ -114,6 +109,16 @@ vtkSmartPointer<vtkDataObject> Import(
   return blocks;
 }
 
+}
+
+vtkRenderer* RunImporter(vtkImporter* importer)
+{
+  vtkNew<SizeOnlyWindow> window;
+  vtkNew<SizeOnlyRenderer> renderer;
+  window->AddRenderer(renderer);
+  importer->SetRenderWindow(window);
+  importer->Update();
+  return importer->GetRenderer();
 }
 
 vtkSmartPointer<vtkDataObject> Import3ds(

@@ -59,7 +59,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <new>
 
 namespace penumbra
 {
@@ -270,10 +269,7 @@ vtkSmartPointer<vtkDataObject> ReadData(
   }
   vtkSmartPointer<vtkDataObject> data = reader->GetOutputDataObject(0);
   const std::vector<std::string> errors = TakeErrors();
-  if (IndicatesOutOfMemory(errors))
-  {
-    throw std::bad_alloc();
-  }
+  RequireMemory(errors);
   if (!errors.empty())
   {
     FailReading(path, row, errors.front());

@@ -34,6 +34,7 @@
 #include <cmath>
 #include <filesystem>
 #include <new>
+#include <numeric>
 #include <sstream>
 
 namespace penumbra
@@ -100,6 +101,16 @@ std::vector<bool> FindFinitePoints(vtkPoints* points, vtkIdType& dropped)
   return finite;
 }
 
+// Adds an array of the cell ids.
+void AddCellIds(vtkDataSet* data)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName(OriginalCellIds);
+  ids->SetNumberOfValues(data->GetNumberOfCells());
+  std::iota(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfValues(), vtkIdType(0));
+  data->GetCellData()->AddArray(ids);
+}
+
 // Returns the mesh without unused points and without the cells that use a non-finite point.
 vtkSmartPointer<vtkPolyData> DropCells(vtkPolyData* mesh, const std::vector<bool>& finite)
 {
@@ -107,13 +118,7 @@ vtkSmartPointer<vtkPolyData> DropCells(vtkPolyData* mesh, const std::vector<bool
   kept->DeepCopy(mesh);
   if (!kept->GetCellData()->HasArray(OriginalCellIds))
   {
-    vtkNew<vtkIdTypeArray> ids;
-    ids->SetName(OriginalCellIds);
-    for (vtkIdType cell = 0; cell < kept->GetNumberOfCells(); ++cell)
-    {
-      ids->InsertNextValue(cell);
-    }
-    kept->GetCellData()->AddArray(ids);
+    AddCellIds(kept);
   }
   kept->BuildCells();
   vtkNew<vtkIdList> corners;
@@ -141,22 +146,6 @@ double FindRoundingStepOfPoints(vtkPolyData* mesh)
   return mesh->GetPoints() && mesh->GetPoints()->GetDataType() == VTK_FLOAT
     ? FindRoundingStep(bounds)
     : 0.0;
-}
-
-// Returns the data set with an array of its cell ids.
-vtkSmartPointer<vtkDataSet> AddCellIds(vtkDataSet* data)
-{
-  const auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
-  copy->ShallowCopy(data);
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName(OriginalCellIds);
-  ids->SetNumberOfValues(data->GetNumberOfCells());
-  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
-  {
-    ids->SetValue(cell, cell);
-  }
-  copy->GetCellData()->AddArray(ids);
-  return copy;
 }
 
 /// Returns the name of the file, and of the data set if there are several.
@@ -193,7 +182,10 @@ Surfaces ExtractSurfaces(
       {
         rest = MakeMesh(rest);
       }
-      rest = ApplyCuts(AddCellIds(rest), offset.ToOrigin(cuts), missingHere);
+      const auto marked = vtkSmartPointer<vtkDataSet>::Take(rest->NewInstance());
+      marked->ShallowCopy(rest);
+      AddCellIds(marked);
+      rest = ApplyCuts(marked, offset.ToOrigin(cuts), missingHere);
       missing = missingHere.empty() ? missing : missingHere;
       wasCut = wasCut || missingHere.empty();
     }
@@ -289,15 +281,6 @@ void Surfaces::Append(const Surfaces& other)
   this->RoundingStep = std::max(this->RoundingStep, other.RoundingStep);
 }
 
-std::string DescribeRounding(const Surfaces& surfaces)
-{
-  std::ostringstream text;
-  text
-    << "coordinates of single precision are rounded to multiples of " << surfaces.RoundingStep
-    << "; subtract an offset from them before they are stored, or store them in double precision";
-  return text.str();
-}
-
 Surfaces ReadSurfaces(const std::string& path, const InputOptions& options)
 {
   RecordInput(path);
@@ -307,6 +290,24 @@ Surfaces ReadSurfaces(const std::string& path, const InputOptions& options)
     surfaces.Append(ReadOneFile(file, options));
   }
   surfaces.Files = { path };
+  if (surfaces.DroppedPoints > 0)
+  {
+    surfaces.Warnings.push_back(std::to_string(surfaces.DroppedPoints) + " of " +
+      std::to_string(surfaces.Points) +
+      " points are not finite; they and the cells that use them were skipped");
+  }
+  if (surfaces.RoundingStep > 0.0)
+  {
+    std::ostringstream text;
+    text << "coordinates of single precision are rounded to multiples of " << surfaces.RoundingStep
+         << "; subtract an offset from them before they are stored, or store them in double "
+            "precision";
+    surfaces.Warnings.push_back(text.str());
+  }
+  for (std::string& warning : surfaces.Warnings)
+  {
+    warning = path + ": " + warning;
+  }
   if (surfaces.Meshes.empty() && surfaces.DroppedPoints > 0)
   {
     throw CommandError(

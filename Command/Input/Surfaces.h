@@ -32,7 +32,7 @@ struct Surfaces
   std::vector<vtkSmartPointer<vtkActor>> Actors;
   std::vector<vtkSmartPointer<vtkLight>> Lights;
   std::vector<vtkSmartPointer<vtkCamera>> Cameras;
-  std::vector<std::string> Warnings; ///< about materials, without the name of the file
+  std::vector<std::string> Warnings; ///< with the name of the file
   vtkIdType Points = 0;              ///< in the file
   vtkIdType DroppedPoints = 0;       ///< non-finite points, skipped with the cells that use them
   /// Distance of neighboring single-precision coordinates if it is visible in the bounds, else 0.
@@ -41,9 +41,6 @@ struct Surfaces
   /// Appends the surfaces, lights and cameras of another file. Counts are added.
   void Append(const Surfaces& other);
 };
-
-/// Returns the warning of a RoundingStep that is not 0.
-std::string DescribeRounding(const Surfaces& surfaces);
 
 /// What to read from a file.
 struct InputOptions

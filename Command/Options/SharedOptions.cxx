@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SharedOptions.h"
 
-#include "Falloffs.h"
 #include "Processes/CommandError.h"
 
 #include <algorithm>
@@ -11,6 +10,14 @@
 
 namespace penumbra
 {
+
+namespace
+{
+
+/// In the order of vtkPenumbraIrradianceProvider::Falloffs.
+const std::vector<std::string> Falloffs = { "none", "linear", "quadratic", "square-root" };
+
+}
 
 Option AddProgressOption(const CommandLine& app, std::string& progress)
 {
@@ -24,10 +31,15 @@ Option AddGathererOption(const CommandLine& app, std::string& gatherer, const st
     "How cache records sample the hemisphere: by rays or with OpenGL" + note);
 }
 
+int FindFalloff(const std::string& name)
+{
+  return static_cast<int>(std::find(Falloffs.begin(), Falloffs.end(), name) - Falloffs.begin());
+}
+
 Option AddFalloffOption(
   const CommandLine& app, const std::string& name, std::string& falloff, const std::string& note)
 {
-  return AddChoice(app, name, falloff, FalloffNames(),
+  return AddChoice(app, name, falloff, Falloffs,
     "Weight of an occluder at distance t: 1, 1 - t/R, 1 - (t/R)^2 or 1 - sqrt(t/R)" + note);
 }
 

@@ -24,6 +24,9 @@ Option AddProgressOption(const CommandLine& app, std::string& progress);
 Option AddGathererOption(
   const CommandLine& app, std::string& gatherer, const std::string& note = {});
 
+/// Returns the falloff of a name that AddFalloffOption() accepts, of vtkPenumbraIrradianceProvider::Falloffs.
+int FindFalloff(const std::string& name);
+
 /// Adds the option `name` for the falloff of ambient occlusion. `note` follows the description.
 Option AddFalloffOption(const CommandLine& app, const std::string& name, std::string& falloff,
   const std::string& note = {});

@@ -6,10 +6,10 @@
 #include "vtkOutputWindow.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <mutex>
+#include <new>
 #include <regex>
 #include <utility>
 
@@ -154,25 +154,16 @@ std::vector<std::string> TakeErrors()
   return errors;
 }
 
-std::string FindMemoryRefusal(const std::vector<std::string>& errors)
+void RequireMemory(const std::vector<std::string>& errors)
 {
   for (const std::string& error : errors)
   {
-    const std::size_t begin = error.find("Not enough memory: ");
-    if (begin != std::string::npos)
+    if (error.find("Unable to allocate") != std::string::npos ||
+      error.find("ut of memory") != std::string::npos)
     {
-      return error.substr(begin);
+      throw std::bad_alloc();
     }
   }
-  return {};
-}
-
-bool IndicatesOutOfMemory(const std::vector<std::string>& errors)
-{
-  return std::any_of(errors.begin(), errors.end(), [](const std::string& error) {
-    return error.find("Unable to allocate") != std::string::npos ||
-      error.find("ut of memory") != std::string::npos;
-  });
 }
 
 std::string LineOf(const std::string& line)

@@ -23,11 +23,8 @@ std::string LogPath();
 /// Returns the errors of VTK since the last call without the prefix of VTK's macros.
 std::vector<std::string> TakeErrors();
 
-/// Returns the error that says that a scene does not fit into memory; empty if there is none.
-std::string FindMemoryRefusal(const std::vector<std::string>& errors);
-
-/// Returns whether an error reports a failed allocation.
-bool IndicatesOutOfMemory(const std::vector<std::string>& errors);
+/// Throws std::bad_alloc if an error reports a failed allocation.
+void RequireMemory(const std::vector<std::string>& errors);
 
 /// Returns the text of a message of VTK's macros without their prefix.
 std::string StripMessagePrefix(const std::string& text);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptionNames.h"
 
+#include "CommandError.h"
 #include "MessageLog.h"
 
 #include "vtkCallbackCommand.h"
@@ -79,6 +80,24 @@ std::string NameOptions(std::string message)
     ReplaceWords(message, words, replacement);
   }
   return message;
+}
+
+void ThrowErrors(const std::string& what)
+{
+  const std::vector<std::string> errors = TakeErrors();
+  for (const std::string& error : errors)
+  {
+    const std::size_t refusal = error.find("Not enough memory: ");
+    if (refusal != error.npos)
+    {
+      throw CommandError(Unavailable, what + ": " + error.substr(refusal));
+    }
+  }
+  RequireMemory(errors);
+  if (!errors.empty())
+  {
+    throw CommandError(BadInput, what + ": " + NameOptions(errors.front()));
+  }
 }
 
 unsigned long CollectWarnings(vtkObject* object, std::vector<std::string>& warnings)

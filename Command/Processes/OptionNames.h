@@ -17,6 +17,10 @@ namespace penumbra
 /// functions of classes.
 std::string NameOptions(std::string message);
 
+/// Throws if VTK has reported errors since TakeErrors(): CommandError with `what` and the first of them in these
+/// words, or std::bad_alloc.
+void ThrowErrors(const std::string& what);
+
 /// Appends the warnings of an object to `warnings`, in these words, until the observer that it returns is
 /// removed.
 unsigned long CollectWarnings(vtkObject* object, std::vector<std::string>& warnings);

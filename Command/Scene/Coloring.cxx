@@ -76,12 +76,7 @@ std::vector<std::string> ArrayNames(const Mappers& mappers, bool cells)
 
 std::string List(const std::vector<std::string>& names)
 {
-  std::string text;
-  for (const std::string& name : names)
-  {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text.empty() ? "none" : text;
+  return names.empty() ? "none" : Join(names, ", ");
 }
 
 std::string ChooseArray(const Mappers& mappers, const ColoringOptions& options)

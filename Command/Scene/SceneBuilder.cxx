@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneBuilder.h"
 
+#include "Annotations.h"
 #include "Coloring.h"
 #include "Files/ImageFiles.h"
 #include "Input/Surfaces.h"
-#include "Labels.h"
 #include "Looks.h"
 #include "Materials.h"
 #include "Options/RenderOptions.h"
 #include "Processes/CommandError.h"
-#include "ScalarBar.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -222,9 +221,7 @@ vtkSmartPointer<vtkRenderer> BuildScene(
     const ColorScale scale = ColorByData(mappers, options.Coloring);
     if (options.Coloring.ScalarBar)
     {
-      // Viewers of SVG have other fonts, and PDF files without the characters are refused.
-      const bool warnsOfFonts = !IsVectorGraphic(options.Output);
-      AddScalarBar(renderer, scale.Table, scale.Array, options, darkText, warnsOfFonts);
+      AddScalarBar(renderer, scale.Table, scale.Array, options, darkText);
     }
     RemoveMaterialsOfColored(renderer, options, unitsPerPoint);
   }

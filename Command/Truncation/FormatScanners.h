@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Scanners of file formats: each reads a file from its beginning and throws TruncatedFile if it
+// Scanners of file formats: each reads the file at `path` from its beginning and throws TruncatedFile if it
 // ends too early, or UnknownStructure if the structure is unknown.
 #ifndef penumbra_FormatScanners_h
 #define penumbra_FormatScanners_h
@@ -13,24 +13,21 @@ namespace penumbra
 
 class FileCursor;
 
-void ScanLegacyVTK(FileCursor& file);
+void ScanLegacyVTK(FileCursor& file, const std::string& path);
 
-/// .pts: points as text.
-void ScanPts(FileCursor& file);
-
-/// .nrrd and .nhdr; `path` locates a separate data file.
+/// .nrrd and .nhdr, with a separate data file.
 void ScanNrrd(FileCursor& file, const std::string& path);
 
 /// AVS .inp, text and binary.
-void ScanUcd(FileCursor& file);
+void ScanUcd(FileCursor& file, const std::string& path);
 
 /// .slc: a volume in slices.
-void ScanSlc(FileCursor& file);
+void ScanSlc(FileCursor& file, const std::string& path);
 
 /// Tecplot text files, first zone.
-void ScanTecplot(FileCursor& file);
+void ScanTecplot(FileCursor& file, const std::string& path);
 
-/// An EnSight case and its geometry as text; `path` locates the geometry.
+/// An EnSight case and its geometry as text.
 void ScanEnSight(FileCursor& file, const std::string& path);
 
 }

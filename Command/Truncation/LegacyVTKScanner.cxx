@@ -259,7 +259,7 @@ private:
 
 }
 
-void ScanLegacyVTK(FileCursor& file)
+void ScanLegacyVTK(FileCursor& file, const std::string&)
 {
   LegacyVTKScanner(file).Scan();
 }

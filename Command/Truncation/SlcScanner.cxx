@@ -12,7 +12,7 @@ namespace penumbra
 {
 
 // SLC: counts and sizes as text, the compression, an icon with three channels, then slices.
-void ScanSlc(FileCursor& file)
+void ScanSlc(FileCursor& file, const std::string&)
 {
   file.Count("line of the header");
   long double plane = static_cast<long double>(file.Count("line of the header"));

@@ -71,7 +71,7 @@ long long TecplotVariables(const std::string& header)
 
 }
 
-void ScanTecplot(FileCursor& file)
+void ScanTecplot(FileCursor& file, const std::string&)
 {
   std::string header;
   std::string line;

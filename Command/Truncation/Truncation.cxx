@@ -7,8 +7,8 @@
 
 #include "Files/FileExtension.h"
 
-#include <algorithm>
-#include <iterator>
+#include <map>
+#include <string>
 
 namespace penumbra
 {
@@ -16,43 +16,19 @@ namespace penumbra
 namespace
 {
 
+using Scanner = void (*)(FileCursor& file, const std::string& path);
+
 void Scan(const std::string& path)
 {
-  const std::string extension = LowerExtension(path);
-  const char* known[] = { ".vtk", ".pts", ".nrrd", ".nhdr", ".inp", ".slc", ".tec", ".tp", ".case",
-    ".encas" };
-  if (std::find(std::begin(known), std::end(known), extension) == std::end(known))
+  static const std::map<std::string, Scanner> scanners = { { ".vtk", ScanLegacyVTK },
+    { ".nrrd", ScanNrrd }, { ".nhdr", ScanNrrd }, { ".inp", ScanUcd }, { ".slc", ScanSlc },
+    { ".tec", ScanTecplot }, { ".tp", ScanTecplot }, { ".case", ScanEnSight },
+    { ".encas", ScanEnSight } };
+  const auto found = scanners.find(LowerExtension(path));
+  if (found != scanners.end())
   {
-    return;
-  }
-  FileCursor file(path);
-  if (extension == ".vtk")
-  {
-    ScanLegacyVTK(file);
-  }
-  else if (extension == ".pts")
-  {
-    ScanPts(file);
-  }
-  else if (extension == ".nrrd" || extension == ".nhdr")
-  {
-    ScanNrrd(file, path);
-  }
-  else if (extension == ".inp")
-  {
-    ScanUcd(file);
-  }
-  else if (extension == ".slc")
-  {
-    ScanSlc(file);
-  }
-  else if (extension == ".tec" || extension == ".tp")
-  {
-    ScanTecplot(file);
-  }
-  else
-  {
-    ScanEnSight(file, path);
+    FileCursor file(path);
+    found->second(file, path);
   }
 }
 

@@ -14,7 +14,7 @@ namespace penumbra
 {
 
 // AVS: a header of five counts, nodes, cells, values of nodes, values of cells.
-void ScanUcd(FileCursor& file)
+void ScanUcd(FileCursor& file, const std::string&)
 {
   if (*file.Rest() == 7)
   {

@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ScalarBar.h"
+#include "Annotations.h"
 
+#include "Files/ImageFiles.h"
+#include "Options/Placeholders.h"
 #include "Options/RenderOptions.h"
+#include "Processes/CommandConstants.h"
 #include "TextFont.h"
 
+#include "vtkCoordinate.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
@@ -17,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <vector>
 
 namespace penumbra
@@ -33,6 +38,12 @@ constexpr double LeastHeight = 2.6 * TextFraction;
 
 /// Distance of the bar from the border of the image, as a fraction of it.
 constexpr double Margin = 0.02;
+
+void SetFont(const std::string& text, const RenderOptions& options, vtkTextProperty* style)
+{
+  // Viewers of SVG have other fonts, and PDF files without the characters are refused.
+  SetFontFor(text, style, !IsVectorGraphic(options.Output));
+}
 
 /// Width and height of a text in pixels.
 std::array<double, 2> MeasureText(const std::string& text, vtkTextProperty* style, int dpi)
@@ -86,7 +97,7 @@ void AddTitle(vtkRenderer* renderer, const std::string& title, vtkTextProperty* 
 }
 
 void AddScalarBar(vtkRenderer* renderer, vtkScalarsToColors* table, const std::string& name,
-  const RenderOptions& options, bool darkText, bool warnsOfFonts)
+  const RenderOptions& options, bool darkText)
 {
   const ScalarBarOptions& settings = options.Coloring.Bar;
   const double height = options.Resolution[1];
@@ -103,8 +114,8 @@ void AddScalarBar(vtkRenderer* renderer, vtkScalarsToColors* table, const std::s
     text->SetShadow(!darkText);
   }
   const std::string title = settings.Title.value_or(name);
-  SetFontFor(title, bar->GetTitleTextProperty(), warnsOfFonts);
-  SetFontFor("0", bar->GetLabelTextProperty(), warnsOfFonts);
+  SetFont(title, options, bar->GetTitleTextProperty());
+  SetFont("0", options, bar->GetLabelTextProperty());
   bar->UnconstrainedFontSizeOn();
   bar->SetLookupTable(table);
   bar->SetTitle(title.c_str());
@@ -177,6 +188,39 @@ void AddScalarBar(vtkRenderer* renderer, vtkScalarsToColors* table, const std::s
   bar->SetWidth(size[0]);
   bar->SetHeight(size[1]);
   renderer->AddViewProp(bar);
+}
+
+void AddLabels(vtkRenderer* renderer, const std::vector<std::string>& files,
+  const RenderOptions& options, bool darkText)
+{
+  std::string text = ReplaceAll(options.Text, TimePlaceholder, options.TimeText);
+  if (options.FileNameLabel)
+  {
+    for (const std::string& file : files)
+    {
+      text += (text.empty() ? "" : "\n") + std::filesystem::path(file).filename().string();
+    }
+  }
+  if (options.TimeLabel)
+  {
+    text += (text.empty() ? "Time: " : "\nTime: ") + options.TimeText;
+  }
+  if (text.empty())
+  {
+    return;
+  }
+  vtkNew<vtkTextActor> label;
+  label->SetInput(text.c_str());
+  label->GetPositionCoordinate()->SetCoordinateSystemToDisplay();
+  const double margin = LabelMargin * options.DotsPerInch / 72.0;
+  label->SetPosition(margin, options.Resolution[1] - margin);
+  vtkTextProperty* style = label->GetTextProperty();
+  style->SetFontSize(LabelPoints);
+  SetFont(text, options, style);
+  style->SetVerticalJustificationToTop();
+  const double shade = darkText ? 0.0 : 1.0;
+  style->SetColor(shade, shade, shade);
+  renderer->AddViewProp(label);
 }
 
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PngFile.h"
+#include "ImageBytes.h"
 
+#include "MappedFile.h"
 #include "Processes/MessageLog.h"
 
 #include "vtkNew.h"
@@ -9,9 +10,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <string>
 #include <vector>
 
 namespace penumbra
@@ -36,13 +37,13 @@ std::array<std::uint32_t, 256> MakeCrcTable()
 }
 
 /// Checksum of a chunk [PNG annex D].
-std::uint32_t ComputeCrc(const unsigned char* begin, std::size_t size)
+std::uint32_t ComputeCrc(const char* begin, std::size_t size)
 {
   static const std::array<std::uint32_t, 256> table = MakeCrcTable();
   std::uint32_t crc = 0xffffffffu;
   for (std::size_t i = 0; i < size; ++i)
   {
-    crc = table[(crc ^ begin[i]) & 0xff] ^ (crc >> 8);
+    crc = table[(crc ^ static_cast<unsigned char>(begin[i])) & 0xff] ^ (crc >> 8);
   }
   return ~crc;
 }
@@ -112,6 +113,25 @@ bool HasIntactPixels(const unsigned char* header, const std::string& compressed)
   return true;
 }
 
+std::uint32_t DotsPerMeter(int dotsPerInch)
+{
+  return static_cast<std::uint32_t>(std::lround(dotsPerInch / 0.0254));
+}
+
+std::string BigEndian(std::uint32_t value)
+{
+  std::string bytes;
+  for (int shift = 24; shift >= 0; shift -= 8)
+  {
+    bytes += static_cast<char>(value >> shift & 255u);
+  }
+  return bytes;
+}
+
+struct TruncatedTiff
+{
+};
+
 }
 
 bool IsWholePng(const char* begin, std::size_t size)
@@ -135,7 +155,7 @@ bool IsWholePng(const char* begin, std::size_t size)
       return false;
     }
     const bool isCritical = (data[at + 4] & 0x20) == 0; // libpng skips damaged ancillary chunks
-    if (isCritical && WordAt(data + at + 8 + length) != ComputeCrc(data + at + 4, length + 4))
+    if (isCritical && WordAt(data + at + 8 + length) != ComputeCrc(begin + at + 4, length + 4))
     {
       return false;
     }
@@ -150,6 +170,90 @@ bool IsWholePng(const char* begin, std::size_t size)
     at += Overhead + length;
   }
   return false;
+}
+
+bool IsWholeTiff(const std::string& path)
+try
+{
+  const MappedFile file(path);
+  const char* begin = file.Begin();
+  const std::uint64_t size = file.Size();
+  const auto number = [&](std::uint64_t at, int bytes) {
+    std::uint64_t value = 0;
+    if (at > size || size - at < static_cast<std::uint64_t>(bytes))
+    {
+      throw TruncatedTiff();
+    }
+    std::memcpy(&value, begin + at, bytes);
+    return value;
+  };
+  const std::uint64_t directory = number(4, 4);
+  const std::uint64_t entries = directory < 8 ? 0 : number(directory, 2);
+  std::vector<std::uint64_t> starts;
+  std::vector<std::uint64_t> lengths;
+  static const int sizes[] = { 1, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8 };
+  for (std::uint64_t i = 0; i < entries; ++i)
+  {
+    const std::uint64_t entry = directory + 2 + 12 * i;
+    const std::uint64_t tag = number(entry, 2);
+    const int width = sizes[std::min<std::uint64_t>(number(entry + 2, 2), 12)];
+    const std::uint64_t count = number(entry + 4, 4);
+    const std::uint64_t values = count * width <= 4 ? entry + 8 : number(entry + 8, 4);
+    number(values + count * width - width, width);
+    for (std::uint64_t k = 0; (tag == 273 || tag == 279) && k < count; ++k)
+    {
+      (tag == 273 ? starts : lengths).push_back(number(values + k * width, width));
+    }
+  }
+  for (std::size_t i = 0; i < starts.size() && i < lengths.size(); ++i)
+  {
+    if (starts[i] < 8 || lengths[i] == 0 || starts[i] + lengths[i] > size)
+    {
+      return false;
+    }
+  }
+  return !starts.empty() && starts.size() == lengths.size();
+}
+catch (const TruncatedTiff&)
+{
+  return false;
+}
+
+void SetDensityOfPng(std::string& bytes, int dotsPerInch)
+{
+  // Signature of 8 bytes, then the chunk IHDR: length, name, 13 bytes, checksum.
+  const std::size_t afterHeader = 8 + 4 + 4 + 13 + 4;
+  const std::string density = BigEndian(DotsPerMeter(dotsPerInch));
+  const char meters = 1;
+  const std::string chunk = "pHYs" + density + density + meters;
+  if (bytes.size() > afterHeader)
+  {
+    bytes.insert(
+      afterHeader, BigEndian(9) + chunk + BigEndian(ComputeCrc(chunk.data(), chunk.size())));
+  }
+}
+
+void SetDensityOfJpeg(std::string& bytes, int dotsPerInch)
+{
+  // SOI, APP0, its length, "JFIF" with its zero, version; then unit, x and y density.
+  const std::size_t unit = 2 + 2 + 2 + 5 + 2;
+  const char inches = 1;
+  const std::string density = BigEndian(dotsPerInch).substr(2);
+  if (bytes.size() > unit + 5 && bytes.compare(6, 4, "JFIF") == 0)
+  {
+    bytes.replace(unit, 5, inches + density + density);
+  }
+}
+
+void SetDensityOfBmp(std::string& bytes, int dotsPerInch)
+{
+  const std::size_t horizontal = 38;
+  const std::string bigEndian = BigEndian(DotsPerMeter(dotsPerInch));
+  const std::string littleEndian(bigEndian.rbegin(), bigEndian.rend());
+  if (bytes.size() > horizontal + 8)
+  {
+    bytes.replace(horizontal, 8, littleEndian + littleEndian);
+  }
 }
 
 }

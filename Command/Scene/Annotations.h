@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Text on images.
-#ifndef penumbra_Labels_h
-#define penumbra_Labels_h
+// Text and scalar bars on images: black if `darkText` is true, otherwise white.
+#ifndef penumbra_Annotations_h
+#define penumbra_Annotations_h
 
 #include <string>
 #include <vector>
 
 class vtkRenderer;
+class vtkScalarsToColors;
 
 namespace penumbra
 {
@@ -16,8 +17,12 @@ namespace penumbra
 struct RenderOptions;
 
 /// Adds --text, the names of the files if --filename is given, and the label of --time-label in the
-/// upper left corner, with black text if `darkText` is true, otherwise white text.
+/// upper left corner.
 void AddLabels(vtkRenderer* renderer, const std::vector<std::string>& files,
+  const RenderOptions& options, bool darkText);
+
+/// Adds a scalar bar of `table` for the array `name`.
+void AddScalarBar(vtkRenderer* renderer, vtkScalarsToColors* table, const std::string& name,
   const RenderOptions& options, bool darkText);
 
 }
