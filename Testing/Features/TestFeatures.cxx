@@ -33,7 +33,13 @@ using penumbra::FeatureRow;
 namespace
 {
 
+#ifdef __SANITIZE_ADDRESS__ // which checks the code, not numbers
+constexpr int Size = 64;
+constexpr bool ComparesImages = false;
+#else
 constexpr int Size = 160;
+constexpr bool ComparesImages = true;
+#endif
 /// Differences below this value, in units of 1/255, are rounding and interpolation.
 constexpr double Threshold = 8.0;
 
@@ -120,7 +126,7 @@ void Render(const FeatureScene& scene, Images& images)
   // 2-D actors, are complete after the first rendering.
   const std::set<Feature> castFirst = { Feature::BackgroundImage, Feature::AxesActors,
     Feature::CubeAxes, Feature::BillboardText, Feature::Text3D, Feature::Textures,
-    Feature::VisiblePoints };
+    Feature::VisiblePoints, Feature::ImageBasedLighting };
   if (!castFirst.count(scene.Key))
   {
     window->Render();
@@ -155,10 +161,13 @@ void Render(const FeatureScene& scene, Images& images)
       images.Rays.push_back(255.0 * std::clamp(color->GetComponent(p, k), 0.0, 1.0));
     }
   }
-  window->Render();
-  window->Render(); // VTK places labels only in windows that have rendered
-  window->GetPixelData(0, 0, Size - 1, Size - 1, 0, images.Raster);
-  Compare(images);
+  if (ComparesImages)
+  {
+    window->Render();
+    window->Render(); // VTK places labels only in windows that have rendered
+    window->GetPixelData(0, 0, Size - 1, Size - 1, 0, images.Raster);
+    Compare(images);
+  }
 }
 
 /// The settings of coincident topology that all mappers share are those of VTK after each scene.
@@ -236,7 +245,8 @@ TEST_P(FeatureTable, AgreesWithVTK)
       Write(images, path.str());
       std::cout << path.str() << " " << Row(scene.Key).Name << " " << images.Fraction << "\n";
     }
-    if (Row(scene.Key).Level == FeatureRow::Levels::Drawn && !DiffersBetweenVersions(scene.Key))
+    if (ComparesImages && Row(scene.Key).Level == FeatureRow::Levels::Drawn &&
+      !DiffersBetweenVersions(scene.Key))
     {
       EXPECT_LE(images.Fraction, scene.MaximumDifferent) << Row(scene.Key).Name;
     }

@@ -157,6 +157,8 @@ Change BuildFollower(vtkRenderer* renderer)
 Change BuildSplats(vtkRenderer* renderer)
 {
   vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(3);
+  sphere->SetPhiResolution(3);
   vtkNew<vtkPointGaussianMapper> mapper;
   mapper->SetInputConnection(sphere->GetOutputPort());
   mapper->SetScaleFactor(0.1);
