@@ -73,6 +73,28 @@ void LimitMemory([[maybe_unused]] double gigabytes)
 #endif
 }
 
+/// The pixel whose error is most above its estimate.
+void PrintWorstPixel(const CastImage& image, const penumbra::StratifiedReference& reference)
+{
+  double largest = -1.0;
+  std::size_t worst = 0;
+  for (std::size_t p = 0; p < reference.Colors.size(); ++p)
+  {
+    const glm::dvec3 d = image.Values.Colors[p] * image.Values.Alphas[p] - reference.Colors[p];
+    const double excess = std::sqrt(glm::dot(d, d) / 3.0) - image.Values.Estimates[p];
+    if (excess > largest)
+    {
+      largest = excess;
+      worst = p;
+    }
+  }
+  const glm::dvec3 color = image.Values.Colors[worst] * image.Values.Alphas[worst];
+  const glm::dvec3 exact = reference.Colors[worst];
+  std::printf("pixel %zu %zu: %.4f %.4f %.4f, reference %.4f %.4f %.4f, estimate %.4f\n",
+    worst % ImageSide, worst / ImageSide, color.r, color.g, color.b, exact.r, exact.g, exact.b,
+    image.Values.Estimates[worst]);
+}
+
 void PrintTiles(
   const RandomScene& scene, const CastImage& image, std::uint64_t seed, const Options& options)
 {
@@ -97,6 +119,7 @@ void PrintTiles(
     WriteSheet({ image.Values.Colors, reference.Colors, differences },
       options.Images + "/" + std::to_string(seed) + "-reference.png");
   }
+  PrintWorstPixel(image, reference);
   std::printf("tiles %g", TileLimit(scene));
   for (const penumbra::TileAccuracy& tile : tiles)
   {

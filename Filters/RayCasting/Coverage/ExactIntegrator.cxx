@@ -40,6 +40,18 @@ bool ExactIntegrator::AreDisconnected(const Hit& a, const Hit& b) const
     !HaveCommonEdge(this->Pixel.GetScene(), { a.Surface, a.Primitive }, { b.Surface, b.Primitive });
 }
 
+bool ExactIntegrator::AreDisconnected(const VisibleHits& a, const VisibleHits& b) const
+{
+  for (int i = 0; i < std::min(a.Count, b.Count); ++i)
+  {
+    if (this->AreDisconnected(a.Layers[i], b.Layers[i]))
+    {
+      return true;
+    }
+  }
+  return a.Count != b.Count;
+}
+
 // Finds triangles that no corner ray hit, in pixels in which surfaces may intersect.
 void ExactIntegrator::ProbeLargeTrapezoids()
 {
@@ -56,12 +68,23 @@ void ExactIntegrator::ProbeLargeTrapezoids()
   }
 }
 
-Hit ExactIntegrator::ProbeAt(glm::dvec2 local)
+ExactIntegrator::VisibleHits ExactIntegrator::ProbeAt(glm::dvec2 local)
 {
-  const Hit hit = this->Pixel.Tracer.TraceFirstHit(this->Pixel.GetOrigin() + local);
-  ++this->Pixel.Rays.Refinement;
-  this->Edges.AddPrimitive(hit);
-  return hit;
+  VisibleHits found;
+  Ray ray = this->Pixel.Tracer.MakeRay(this->Pixel.GetOrigin() + local);
+  for (Hit& hit : found.Layers)
+  {
+    hit = this->Pixel.Tracer.GetRays().Intersect(ray);
+    ++found.Count;
+    ++this->Pixel.Rays.Refinement;
+    this->Edges.AddPrimitive(hit);
+    if (!hit.IsHit() || !this->Pixel.GetScene().Surfaces[hit.Surface].IsTranslucent())
+    {
+      break;
+    }
+    ray = ContinueBehind(ray, hit);
+  }
+  return found;
 }
 
 // Finds triangles that no corner ray hit, in pixels in which surfaces are known to intersect. If
@@ -86,14 +109,14 @@ void ExactIntegrator::ProbeTrapezoids()
       continue;
     }
     const glm::dvec2* const begin = probes[i].ExtremePoints;
-    const Hit first = this->ProbeAt(*begin);
+    const VisibleHits first = this->ProbeAt(*begin);
     for (int side = 1; side < FaceProbe::Sides; ++side)
     {
       const glm::dvec2* const at = begin + side;
       if (std::find(begin, at, *at) == at)
       {
-        const Hit hit = this->ProbeAt(*at);
-        probes[i].IsDiscontinuous = probes[i].IsDiscontinuous || this->AreDisconnected(first, hit);
+        const VisibleHits hits = this->ProbeAt(*at);
+        probes[i].IsDiscontinuous = probes[i].IsDiscontinuous || this->AreDisconnected(first, hits);
       }
     }
   }

@@ -6,6 +6,7 @@
 #ifndef penumbra_ExactIntegrator_h
 #define penumbra_ExactIntegrator_h
 
+#include "Pixels/CoverageConstants.h"
 #include "Pixels/PixelEdges.h"
 
 #include <optional>
@@ -37,10 +38,18 @@ private:
     void Add(glm::dvec2 point);
   };
 
+  /// What a ray hits up to the first surface that is opaque, or that has MaximumIntersectedLayers in front.
+  struct VisibleHits
+  {
+    Hit Layers[MaximumIntersectedLayers + 1];
+    int Count = 0;
+  };
+
   void UpdateMaximumFaceDepth(const Sample& sample);
   bool AreDisconnected(const Hit& a, const Hit& b) const;
+  bool AreDisconnected(const VisibleHits& a, const VisibleHits& b) const;
   void ProbeLargeTrapezoids();
-  Hit ProbeAt(glm::dvec2 local);
+  VisibleHits ProbeAt(glm::dvec2 local);
   void ProbeTrapezoids();
   /// Returns how much the color of a round surface with little contrast may vary over a face.
   float ComputeRoundVariation(const Hit& hit, float area) const;

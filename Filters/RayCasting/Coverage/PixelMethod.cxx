@@ -58,7 +58,6 @@ PixelMethod ChooseReplacement(
     return !edges.Segments.empty() || edges.IsTubeIntersected ? PixelMethod::Exact
                                                               : PixelMethod::Refinement;
   }
-  // A rasterized triangle has only few colors.
   return pixel.ShowsUnsteadyTriangle ? PixelMethod::Rays : ChooseSamples(pixel, tile);
 }
 
@@ -91,15 +90,16 @@ PixelMethod ChooseMethod(const PixelContext& pixel, PixelEdges& edges, const Til
   {
     return ChooseReplacement(*gaveUp, pixel, edges, tile);
   }
+  // A rasterized triangle has only few colors.
+  if (AnyCorner(pixel, [&](const Hit& hit) { return tile.IsUnsteady(pixel.GetScene(), hit); }))
+  {
+    return PixelMethod::Rays;
+  }
   // The pole of a sphere or the center of a fan: too many edges to arrange.
   if (tile.AreEdgesLeftOut || edges.GetNumberOfEdges() > MaximumEdges ||
     IsRasterized(pixel, tile, edges.GetNumberOfEdges()))
   {
     return ChooseSamples(pixel, tile);
-  }
-  if (AnyCorner(pixel, [&](const Hit& hit) { return tile.IsUnsteady(pixel.GetScene(), hit); }))
-  {
-    return PixelMethod::Rays;
   }
   edges.Load(true);
   const bool hasEdges = !edges.Segments.empty();

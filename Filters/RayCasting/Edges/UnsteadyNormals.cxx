@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UnsteadyNormals.h"
 
+#include "Camera.h"
 #include "EdgeConstants.h"
 #include "Execution/ParallelFor.h"
 #include "Surface.h"
@@ -63,6 +64,20 @@ bool HasUnsteadyNormal(const Surface& surface, std::size_t triangle)
     UnsteadyLength * UnsteadyLength * longest;
 }
 
+bool IsPartlyNegated(const Surface& surface, std::uint32_t primitive, const Camera& camera)
+{
+  if (surface.NormalRule != Surface::NormalRules::FacingCamera || surface.Normals.empty())
+  {
+    return false;
+  }
+  int away = 0;
+  for (const glm::vec3 normal : surface.GetNormals(primitive, surface.Normals))
+  {
+    away += glm::dot(normal, glm::vec3(camera.Forward)) > 0.f;
+  }
+  return away % 3 != 0;
+}
+
 bool HasUnsteadyNormals(const Surface& surface)
 {
   if (surface.Whole)
@@ -72,6 +87,10 @@ bool HasUnsteadyNormals(const Surface& surface)
   if (surface.Normals.empty() || surface.IsRound())
   {
     return false;
+  }
+  if (surface.NormalRule == Surface::NormalRules::FacingCamera)
+  {
+    return true;
   }
   const std::vector<std::size_t> parts = SplitIntoParts(surface.Triangles.size(), ArrayGrain);
   std::atomic<bool> isFound(false);

@@ -35,7 +35,8 @@ bool TileGeometry::IsUnsteady(const Scene& scene, const Hit& hit) const
     return false;
   }
   const Surface& surface = scene.Surfaces[hit.Surface];
-  return HasUnsteadyNormal(surface, surface.GetStoredTriangle(hit.Primitive));
+  return HasUnsteadyNormal(surface, surface.GetStoredTriangle(hit.Primitive)) ||
+    IsPartlyNegated(surface, hit.Primitive, scene.ViewCamera);
 }
 
 }

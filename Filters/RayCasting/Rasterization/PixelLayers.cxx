@@ -15,9 +15,6 @@ namespace penumbra
 namespace
 {
 
-/// Relative distance between layers up to which a ray meets only one.
-constexpr double RoundingError = 0x1p-24;
-
 /// Stores the keys of a triangle at samples, and values that are negative at those that it does not
 /// cover. Both are stored everywhere, because compilers do not vectorize a branch.
 PENUMBRA_VECTORIZED
@@ -111,7 +108,7 @@ LayerCandidate* PixelLayers::SelectLayers(
   const PixelTriangles& pixel, LayerCandidate* begin, LayerCandidate* end) const
 {
   // A ray continues behind a hit, whose distance is rounded.
-  const auto rounding = static_cast<float>(RoundingError * std::abs(pixel.GetReferenceKey()));
+  const float rounding = pixel.ComputeRayRounding();
   for (LayerCandidate* next = begin; next < end; ++next)
   {
     const LayerCandidate candidate = *next;
@@ -151,7 +148,7 @@ LayerCandidate* PixelLayers::SelectCoincident(
   const PixelTriangles& pixel, LayerCandidate* begin, LayerCandidate* end) const
 {
   const CoincidentSurfaces& surfaces = pixel.GetCoincidentSurfaces();
-  const auto rounding = static_cast<float>(RoundingError * std::abs(pixel.GetReferenceKey()));
+  const float rounding = pixel.ComputeRayRounding();
   LayerCandidate* kept = begin;
   for (LayerCandidate *first = begin, *last = begin; first < end; first = last)
   {

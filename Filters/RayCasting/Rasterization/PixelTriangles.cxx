@@ -18,6 +18,8 @@ namespace penumbra
 namespace
 {
 constexpr std::uint32_t None = 0xffffffffu;
+/// Relative distance between layers up to which a ray meets only one.
+constexpr double RoundingError = 0x1p-24;
 }
 
 PixelTriangles::PixelTriangles(TileTriangles& tile)
@@ -160,6 +162,15 @@ bool PixelTriangles::HasLines() const
     this->Selected.begin(), this->Selected.end(), [&](const PixelTriangle& triangle) {
       return surfaces[this->Tile.GetId(triangle.Index).Surface].IsLineOrPoint;
     });
+}
+
+// In perspective, an error e of the depth d changes 1 / d by e / d^2. Rays begin near the scene, so that
+// their distances are less than depths.
+float PixelTriangles::ComputeRayRounding() const
+{
+  const double key = std::abs(this->ReferenceKey);
+  const double origin = this->Tile.GetRays().GetScene().ViewCamera.DepthOfRayOrigins();
+  return static_cast<float>(RoundingError * key * std::abs(1.0 - origin * key));
 }
 
 LayerPolygon PixelTriangles::Clip(std::uint32_t index) const

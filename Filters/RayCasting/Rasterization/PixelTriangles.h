@@ -75,8 +75,8 @@ public:
     return this->IsParallel ? -sum : 1.f / sum;
   }
 
-  /// Returns the key of the nearest triangle, to which all others are relative.
-  double GetReferenceKey() const { return this->ReferenceKey; }
+  /// Returns the rounding error of the distance of the nearest triangle along rays, as a difference of keys.
+  float ComputeRayRounding() const;
 
 private:
   bool Add(std::uint32_t index, glm::dvec2 corner);
