@@ -110,6 +110,11 @@ std::string ProgramPath()
   return PENUMBRA_PROGRAM;
 }
 
+std::string SourceFolder()
+{
+  return PENUMBRA_SOURCE_DIR;
+}
+
 ProgramResult RunProgram(const std::vector<std::string>& arguments, const std::string& setting)
 {
   std::vector<std::string> command = { ProgramPath() };

@@ -49,6 +49,9 @@ std::string Quote(const std::string& text);
 /// Path of the program.
 std::string ProgramPath();
 
+/// Path of the folder of the sources.
+std::string SourceFolder();
+
 int CountLines(const std::string& text);
 
 /// `errors` without the warnings that the tolerance was not reached.

@@ -87,7 +87,7 @@ const Row Rows[] = {
     { "--shafts-density", "--engine ray" } },
   { "DensityOfTriangles", 2, Square, "stl",
     { "--light-shafts", "--light-position", "1,2,3,0", "--shafts-density",
-      PENUMBRA_SOURCE_DIR "/Data/bracket.stl" },
+      SourceFolder() + "/Data/bracket.stl" },
     { "--shafts-density", "is a polygonal mesh, not an image" } },
   { "ScatteringBeyondExtinction", 2, Square, "stl",
     { "--light-shafts", "--shafts-scattering", "2", "--shafts-extinction", "1" },

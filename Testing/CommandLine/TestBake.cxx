@@ -35,7 +35,7 @@ using namespace penumbra_testing;
 namespace
 {
 
-const std::string Head = std::string(PENUMBRA_SOURCE_DIR) + "/Data/head.ply";
+const std::string Head = SourceFolder() + "/Data/head.ply";
 
 void WriteSphere(const std::string& path, int resolution = 8)
 {

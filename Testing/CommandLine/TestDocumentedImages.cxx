@@ -24,7 +24,7 @@ using namespace penumbra_testing;
 namespace
 {
 
-const std::string Root = PENUMBRA_SOURCE_DIR;
+const std::string Root = SourceFolder();
 
 struct Command
 {

@@ -36,7 +36,7 @@ std::set<std::string> FindOptions(const std::string& text)
 
 TEST(Help, MatchesDocumentedOptions)
 {
-  const std::string pages = PENUMBRA_SOURCE_DIR "/Documentation/user/";
+  const std::string pages = SourceFolder() + "/Documentation/user/";
   const std::set<std::string> documented = FindOptions(ReadText(pages + "Options.md"));
   const std::set<std::string> recipes = FindOptions(ReadText(pages + "BatchRendering.md"));
   std::set<std::string> offered = FindOptions(RunProgram({ "--help" }).Output);
@@ -66,7 +66,7 @@ TEST(Help, MatchesTheSectionOfEachCommand)
 {
   const std::regex row(R"(\| `-([^|\\]|\\\|)*)"); // the first cell; \| is a bar in it
   std::map<std::string, std::set<std::string>> documented;
-  std::istringstream page(ReadText(PENUMBRA_SOURCE_DIR "/Documentation/user/Options.md"));
+  std::istringstream page(ReadText(SourceFolder() + "/Documentation/user/Options.md"));
   std::string command;
   for (std::string line; std::getline(page, line);)
   {
@@ -126,7 +126,7 @@ TEST(F3D, DocumentedOptionsAreAccepted)
                          "--resolution", "8,4", "--background-color", "white" })
               .Status,
     0);
-  std::istringstream page(ReadText(PENUMBRA_SOURCE_DIR "/Documentation/user/F3D.md"));
+  std::istringstream page(ReadText(SourceFolder() + "/Documentation/user/F3D.md"));
   int rows = 0;
   bool understood = false;
   for (std::string line; std::getline(page, line);)
@@ -160,7 +160,7 @@ TEST(F3D, OtherOptionsAreErrorsThatNameF3D)
 {
   const Folder folder("f3d-others");
   WriteSphereWithArrays(folder / "sphere.vtp");
-  std::istringstream page(ReadText(PENUMBRA_SOURCE_DIR "/Documentation/user/F3D.md"));
+  std::istringstream page(ReadText(SourceFolder() + "/Documentation/user/F3D.md"));
   const std::regex option("`(-[^` ]+)`");
   int options = 0;
   std::string section;

@@ -21,7 +21,7 @@ using namespace penumbra_testing;
 TEST(Render, EnginesComputeSimilarOcclusion)
 {
   const Folder folder("occlusion");
-  const std::vector<std::string> scene = { PENUMBRA_SOURCE_DIR "/Data/bracket.stl", "--resolution",
+  const std::vector<std::string> scene = { SourceFolder() + "/Data/bracket.stl", "--resolution",
     "120,90", "--camera-direction=-1,-1,-2", "--ambient-occlusion" };
   std::vector<std::string> ray = { "render", "--output", folder / "ray.vti", "--tolerance",
     "0.05" };
@@ -72,7 +72,7 @@ TEST(Render, EnginesComputeSimilarOcclusion)
 TEST(Render, LightAwarenessReducesDarkeningOfBrightColors)
 {
   const Folder folder("awareness");
-  const ProgramResult outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
+  const ProgramResult outcome = RunProgram({ "render", SourceFolder() + "/Data/bracket.stl",
     "--resolution", "240,180", "--camera-direction=-1,-1,-2", "--no-lighting", "--color",
     "0.8,0.4,0.2", "--engine", "raster", "--ambient-occlusion", "--ambient-occlusion-kernel",
     "horizon", "--ambient-occlusion-light-awareness", "0.5", "--output", folder / "p.vti" });
@@ -107,7 +107,7 @@ TEST(Render, GatherersComputeSimilarOcclusion)
   const Folder folder("gatherers");
   for (const char* gatherer : { "rays", "cube-map" })
   {
-    const ProgramResult outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
+    const ProgramResult outcome = RunProgram({ "render", SourceFolder() + "/Data/bracket.stl",
       "--resolution", "160,120", "--camera-direction=-1,-1,-2", "--ambient-occlusion",
       "--ambient-occlusion-radius", "inf", "--tolerance", "0.02", "--cache", "world", "--gatherer",
       gatherer, "--statistics", folder / "s.json", "--output", folder / gatherer + ".png" });
@@ -132,7 +132,7 @@ TEST(Render, AppliesNamedFalloff)
   for (const char* falloff :
     { "none", "quadratic", "linear", "square-root" }) // decreasing occlusion
   {
-    const ProgramResult outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
+    const ProgramResult outcome = RunProgram({ "render", SourceFolder() + "/Data/bracket.stl",
       "--resolution", "60,40", "--camera-direction=-1,-1,-2", "--tolerance", "0.05",
       "--ambient-occlusion-falloff", falloff, "--output", folder / "p.vti" });
     ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
@@ -160,7 +160,7 @@ TEST(Render, MakesTheSameImageInANumberOfFramesOnAnyNumberOfThreads)
   {
     const std::string report = folder / (threads + ".json");
     const std::string image = folder / (threads + ".png");
-    const ProgramResult outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/head.ply",
+    const ProgramResult outcome = RunProgram({ "render", SourceFolder() + "/Data/head.ply",
       "--resolution", "160,120", "--engine", "raster", "--ambient-occlusion", "--frames", "4",
       "--threads", threads, "--output", image, "--statistics", report });
     ASSERT_EQ(outcome.Status, 0) << outcome.Errors;

@@ -345,7 +345,7 @@ TEST(Render, EnginesRenderSimilarLightShafts)
   const Folder folder("engines");
   for (const std::string engine : { "ray", "raster" })
   {
-    const ProgramResult outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
+    const ProgramResult outcome = RunProgram({ "render", SourceFolder() + "/Data/bracket.stl",
       "--resolution", "120,90", "--engine", engine, "--output", folder / (engine + ".png"),
       "--light-shafts", "--shafts-phase", "hg:0.6", "--light-position=0.6,0.8,-1,0" });
     ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
@@ -358,9 +358,8 @@ TEST(Render, RendersLightShaftsFromShadowMaps)
 {
   const Folder folder("shadow-maps");
   const auto render = [&](const std::string& name, const std::vector<std::string>& options) {
-    std::vector<std::string> all = { "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
-      "--resolution", "120,90", "--output", folder / name, "--light-shafts",
-      "--light-position=-0.5,0.5,-1,0" };
+    std::vector<std::string> all = { "render", SourceFolder() + "/Data/bracket.stl", "--resolution",
+      "120,90", "--output", folder / name, "--light-shafts", "--light-position=-0.5,0.5,-1,0" };
     all.insert(all.end(), options.begin(), options.end());
     const ProgramResult outcome = RunProgram(all);
     EXPECT_EQ(outcome.Status, 0) << outcome.Errors;

@@ -312,8 +312,7 @@ TEST(SetUpScript, ListsBenchmarks)
 {
   for (const char* arguments : { "benchmark", "benchmark wishful", "--system-vtk benchmark flat" })
   {
-    const ProgramResult outcome =
-      RunShell(Quote(PENUMBRA_SOURCE_DIR "/penumbra") + " " + arguments);
+    const ProgramResult outcome = RunShell(Quote(SourceFolder() + "/penumbra") + " " + arguments);
     EXPECT_EQ(outcome.Status, 2) << arguments;
     EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
     const bool ours = std::string(arguments).rfind("benchmark", 0) == 0;

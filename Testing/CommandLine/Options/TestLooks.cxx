@@ -98,7 +98,7 @@ TEST(Looks, SunOfOutdoorHasPenumbrae)
 {
   const Folder folder("sun");
   const auto render = [&](const std::string& image, const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = { "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
+    std::vector<std::string> arguments = { "render", SourceFolder() + "/Data/bracket.stl",
       "--output", folder / image, "--resolution", "160,100", "--look", "outdoor",
       "--camera-view-up", "+Z" };
     arguments.insert(arguments.end(), more.begin(), more.end());

@@ -150,11 +150,11 @@ std::vector<SeriesFile> WriteSeries(const Folder& folder)
     std::string Path;
   } optional[] = {
     { "vtkXdmfReader", folder / "steps.xdmf" },
-    { "vtkExodusIIReader", PENUMBRA_SOURCE_DIR "/Testing/CommandLine/Series/Data/steps.e" },
+    { "vtkExodusIIReader", SourceFolder() + "/Testing/CommandLine/Series/Data/steps.e" },
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) // before, only the first step is read
-    { "vtkHDFReader", PENUMBRA_SOURCE_DIR "/Testing/CommandLine/Series/Data/steps.vtkhdf" },
+    { "vtkHDFReader", SourceFolder() + "/Testing/CommandLine/Series/Data/steps.vtkhdf" },
 #endif
-    { "vtkCGNSReader", PENUMBRA_SOURCE_DIR "/Testing/CommandLine/Series/Data/steps.cgns" }
+    { "vtkCGNSReader", SourceFolder() + "/Testing/CommandLine/Series/Data/steps.cgns" }
   };
   for (const auto& row : optional)
   {

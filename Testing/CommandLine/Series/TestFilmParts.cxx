@@ -134,8 +134,8 @@ TEST(FilmParts, SlurmTasksRenderFilmOfOneProcess)
     "'whole/{frame}.png'; $PENUMBRA animate " + options + "'task/{frame}.png' --prepare " +
     Quote(folder / "film.json") +
     "; for task in 2 0 1 1; do SLURM_ARRAY_TASK_ID=$task SLURM_CPUS_PER_TASK=1 bash " +
-    Quote(PENUMBRA_SOURCE_DIR "/Examples/Clusters/film.sbatch") + " 3 " +
-    Quote(folder / "film.json") + " " + options + "'task/{frame}.png'; done");
+    Quote(SourceFolder() + "/Examples/Clusters/film.sbatch") + " 3 " + Quote(folder / "film.json") +
+    " " + options + "'task/{frame}.png'; done");
   EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
   EXPECT_EQ(outcome.Errors, "");
   ExpectSameFiles(folder, "whole", "task", 7);
