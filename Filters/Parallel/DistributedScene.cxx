@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistributedScene.h"
 
+#include "Geometry/SmoothSurface.h"
 #include "ImageDivision.h"
 #include "ImageMessage.h"
 #include "Messages/ByteStream.h"
@@ -71,6 +72,19 @@ std::vector<Units> SelectSeenUnits(
   return selected;
 }
 
+/// Returns the box of the origins of shadow rays of a unit.
+AxisAlignedBox GetReceiverBox(const Surface& surface, std::uint32_t unit)
+{
+  const AxisAlignedBox box = GetUnitBox(surface, unit);
+  if (surface.Normals.empty() || surface.IsRound())
+  {
+    return box;
+  }
+  const float lift =
+    LargestLift(surface.GetPoints(unit), surface.GetNormals(unit, surface.Normals));
+  return { box.Low - lift, box.High + lift };
+}
+
 /// Adds to `selected` the units that may cast shadows on those that it contains.
 void AddCastersOfShadows(const Scene& scene, const AxisAlignedBox& bounds, RankGroup& ranks,
   std::vector<std::vector<Units>>& selected)
@@ -83,7 +97,7 @@ void AddCastersOfShadows(const Scene& scene, const AxisAlignedBox& bounds, RankG
     {
       for (const std::uint32_t unit : selected[i][rank])
       {
-        marks[rank].Mark(GetUnitBox(scene.Surfaces[i], unit));
+        marks[rank].Mark(GetReceiverBox(scene.Surfaces[i], unit));
       }
     }
   }

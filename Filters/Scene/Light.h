@@ -7,6 +7,9 @@
 
 #include <glm/glm.hpp>
 
+#include <cmath>
+#include <limits>
+
 namespace penumbra
 {
 
@@ -41,7 +44,32 @@ struct Light
     return (this->Kind == Kinds::Directional ? this->AngularRadius : this->Radius) > 0.f;
   }
   bool CastsPenumbra() const { return this->CastsShadow && this->HasSize(); }
+
+  /// Returns the fraction of its color that arrives at a point without occlusion. `direction` receives the unit vector
+  /// from the light, `distance` its distance.
+  float ComputeStrength(glm::vec3 point, glm::vec3& direction, float& distance) const;
 };
+
+inline float Light::ComputeStrength(glm::vec3 point, glm::vec3& direction, float& distance) const
+{
+  direction = this->Direction;
+  distance = std::numeric_limits<float>::infinity();
+  if (this->Kind == Kinds::Directional)
+  {
+    return 1.f;
+  }
+  direction = point - this->Position;
+  distance = glm::length(direction);
+  direction /= distance;
+  const glm::vec3 factors = this->Attenuation;
+  const float strength = 1.f / (factors.x + distance * (factors.y + distance * factors.z));
+  if (this->Kind != Kinds::Spot)
+  {
+    return strength;
+  }
+  const float cosine = glm::dot(direction, this->Direction);
+  return cosine >= this->ConeCosine ? strength * std::pow(cosine, this->Exponent) : 0.f;
+}
 
 }
 #endif

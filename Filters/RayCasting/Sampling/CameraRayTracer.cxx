@@ -242,7 +242,8 @@ LayerColor CameraRayTracer::ShadeLayer(glm::dvec2 p, PrimitiveId triangle, RayCo
 {
   const Ray ray = this->MakeRay(p);
   const Hit hit = ComputeHit(this->GetScene(), triangle.Surface, triangle.Primitive, ray);
-  const ShadedHit shaded = this->SurfaceShading.ShadeUntextured(ray, hit, counts.Shadow);
+  const ShadedHit shaded =
+    this->SurfaceShading.Shade(ray, hit, counts.Shadow, nullptr, Shading::Terms::Untextured);
   return { triangle, shaded.Color, EdgeBlending::ComputeSlope(ray, shaded) };
 }
 

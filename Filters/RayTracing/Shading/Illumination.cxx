@@ -117,7 +117,8 @@ glm::vec3 Illumination::IncidentRadiance(
     }
     if (!this->Rays.GetScene().Surfaces[hit.Surface].IsLineOrPoint)
     {
-      const ShadedHit shaded = this->SurfaceShading.ShadeDiffuse(ray, hit, rays);
+      const ShadedHit shaded =
+        this->SurfaceShading.Shade(ray, hit, rays, nullptr, Shading::Terms::Diffuse);
       glm::vec3 radiance(shaded.Color);
       const float emitterDensity = this->HasSampledEmitters()
         ? this->SampledEmitters->ComputeDensity(

@@ -120,7 +120,7 @@ Finding SearchLight(
     return Finding::NoReflector;
   }
   long long count = 0;
-  const ShadedHit shaded = shading.ShadeDiffuse(ray, hit, count);
+  const ShadedHit shaded = shading.Shade(ray, hit, count, nullptr, Shading::Terms::Diffuse);
   if (IsPositive(glm::vec3(shaded.Color)))
   {
     return Finding::Lit;

@@ -7,6 +7,7 @@
 #include "Shading.h"
 
 #include "Environment/EnvironmentLight.h"
+#include "Geometry/SmoothSurface.h"
 #include "HemisphereSampling.h"
 #include "OwenSobolSequence.h"
 #include "PhysicallyBased.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace penumbra
@@ -56,28 +58,23 @@ glm::vec3 LightingNormal(const Surface& surface, const Hit& hit, glm::vec3 weigh
   return normal;
 }
 
-/// Returns the attenuation of `light` at `point`. `direction` receives the unit vector from the
-/// light, `distance` its distance.
-float ComputeLightStrength(
-  const Light& light, glm::vec3 point, glm::vec3& direction, float& distance)
+/// Returns the vector from a hit to the curved surface of its triangle, on the side of its shading normal. Returns none
+/// if the triangle has no normals, or they are not on the side of the ray's origin.
+std::optional<glm::vec3> ComputeLift(
+  const Surface& surface, const Hit& hit, glm::vec3 weights, const ShadedHit& shaded)
 {
-  direction = light.Direction;
-  distance = std::numeric_limits<float>::infinity();
-  if (light.Kind == Light::Kinds::Directional)
+  if (surface.Normals.empty() || surface.IsRound() || surface.IsLineOrPoint ||
+    !(glm::dot(shaded.Normal, shaded.GeometricNormal) > 0.f))
   {
-    return 1.f;
+    return {};
   }
-  direction = point - light.Position;
-  distance = glm::length(direction);
-  direction /= distance;
-  const float strength =
-    1.f / (light.Attenuation.x + distance * (light.Attenuation.y + distance * light.Attenuation.z));
-  if (light.Kind != Light::Kinds::Spot)
+  std::array<glm::vec3, 3> normals = surface.GetNormals(hit.Primitive, surface.Normals);
+  const glm::vec3 mean = weights.x * normals[0] + weights.y * normals[1] + weights.z * normals[2];
+  if (glm::dot(mean, shaded.Normal) < 0.f)
   {
-    return strength;
+    std::transform(normals.begin(), normals.end(), normals.begin(), std::negate<>());
   }
-  const float cosine = glm::dot(direction, light.Direction);
-  return cosine >= light.ConeCosine ? strength * std::pow(cosine, light.Exponent) : 0.f;
+  return LiftToSmoothSurface(surface.GetPoints(hit.Primitive), normals, weights);
 }
 
 }
@@ -142,22 +139,6 @@ bool Shading::IsConstant(const Surface& surface, const SurfaceMaterial& material
       [](const Light& light) { return light.Kind == Light::Kinds::Directional; });
 }
 
-ShadedHit Shading::Shade(
-  const Ray& ray, const Hit& hit, long long& shadowRays, PenumbraSampling* penumbrae) const
-{
-  return this->ShadeHit(Terms::All, ray, hit, shadowRays, penumbrae);
-}
-
-ShadedHit Shading::ShadeUntextured(const Ray& ray, const Hit& hit, long long& shadowRays) const
-{
-  return this->ShadeHit(Terms::Untextured, ray, hit, shadowRays, nullptr);
-}
-
-ShadedHit Shading::ShadeDiffuse(const Ray& ray, const Hit& hit, long long& shadowRays) const
-{
-  return this->ShadeHit(Terms::Diffuse, ray, hit, shadowRays, nullptr);
-}
-
 ShadedHit Shading::ShadeEmission(const Ray& ray, const Hit& hit) const
 {
   const SurfaceMaterial& material = this->Materials[hit.Surface];
@@ -173,11 +154,11 @@ ShadedHit Shading::ShadeEmission(const Ray& ray, const Hit& hit) const
     return shaded;
   }
   long long shadowRays = 0;
-  return this->ShadeHit(Terms::Emission, ray, hit, shadowRays, nullptr);
+  return this->Shade(ray, hit, shadowRays, nullptr, Terms::Emission);
 }
 
-ShadedHit Shading::ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long long& shadowRays,
-  PenumbraSampling* penumbrae) const
+ShadedHit Shading::Shade(const Ray& ray, const Hit& hit, long long& shadowRays,
+  PenumbraSampling* penumbrae, Terms terms) const
 {
   const bool diffuseOnly = terms == Terms::Diffuse || terms == Terms::Emission;
   const Scene& scene = this->Rays.GetScene();
@@ -199,6 +180,10 @@ ShadedHit Shading::ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long lo
   }
   const glm::vec3 forward(scene.ViewCamera.Forward);
   shaded.Normal = LightingNormal(surface, hit, weights, front, shaded.GeometricNormal, forward);
+  if (this->Shadows && terms != Terms::Emission)
+  {
+    shaded.Lift = ComputeLift(surface, hit, weights, shaded);
+  }
   const PhongCoefficients* coefficients = front ? &material.Front : &material.Back;
   PhongCoefficients modified = *coefficients;
   if (material.Colored)
@@ -298,7 +283,7 @@ glm::vec3 Shading::ApplyLights(const PhongCoefficients& phong, const ShadedHit& 
     const Light& light = scene.Lights[i];
     glm::vec3 direction;
     float distance;
-    float strength = ComputeLightStrength(light, point, direction, distance);
+    float strength = light.ComputeStrength(point, direction, distance);
     const float irradiance = strength * -glm::dot(shaded.Normal, direction);
     if (!(irradiance > 0.f))
     {
@@ -306,7 +291,7 @@ glm::vec3 Shading::ApplyLights(const PhongCoefficients& phong, const ShadedHit& 
     }
     if (this->Shadows && light.CastsShadow)
     {
-      strength *= this->ComputeVisibility(i, point, -direction, distance, shaded.GeometricNormal,
+      strength *= this->ComputeVisibility(i, point, -direction, distance, shaded,
         irradiance * (phong.Diffuse * light.DiffuseColor + phong.Specular * light.SpecularColor),
         shadowRays, penumbrae);
     }
@@ -348,10 +333,10 @@ glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhysicallyBased& material,
     const Light& light = lights[i];
     glm::vec3 direction;
     float distance;
-    float strength = ComputeLightStrength(light, point, direction, distance);
+    float strength = light.ComputeStrength(point, direction, distance);
     if (strength > 0.f && this->Shadows && light.CastsShadow)
     {
-      strength *= this->ComputeVisibility(i, point, -direction, distance, shaded.GeometricNormal,
+      strength *= this->ComputeVisibility(i, point, -direction, distance, shaded,
         strength * (shaded.Reflectance * light.DiffuseColor), shadowRays, penumbrae);
     }
     if (strength > 0.f)
@@ -370,22 +355,31 @@ glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhysicallyBased& material,
   return material.ToDisplayColor(radiance);
 }
 
+// Where light is nearly along a triangle or behind it, but not behind the curved surface, rays start at the latter: the
+// triangle and its neighbors would shadow it along their edges. Elsewhere they start at the triangle, because other
+// surfaces may touch it.
 float Shading::ComputeVisibility(std::size_t light, glm::vec3 point, glm::vec3 direction,
-  float distance, glm::vec3 normal, glm::vec3 reflected, long long& shadowRays,
+  float distance, const ShadedHit& shaded, glm::vec3 reflected, long long& shadowRays,
   PenumbraSampling* penumbrae) const
 {
+  glm::vec3 up = glm::normalize(shaded.GeometricNormal);
+  const float lifted = GetLiftedFraction(glm::dot(direction, up));
+  if (shaded.Lift && lifted > 0.f)
+  {
+    point += lifted * *shaded.Lift;
+    up = shaded.Normal;
+  }
   if (this->Rays.GetScene().Lights[light].HasSize())
   {
     const float brightness = std::max({ reflected.r, reflected.g, reflected.b });
-    return this->SampleVisibleFraction(light, point, normal, brightness, shadowRays, penumbrae);
+    return this->SampleVisibleFraction(light, point, up, brightness, shadowRays, penumbrae);
   }
-  if (glm::dot(direction, normal) <= 0.f)
+  if (glm::dot(direction, up) <= 0.f)
   {
-    return 0.f; // the light is behind the triangle
+    return 0.f; // the light is behind the surface
   }
-  const float offset = RayOriginOffset(point);
   return this->TraceTransmittance(
-    Ray{ point + offset * glm::normalize(normal), direction, 0.f, distance }, shadowRays);
+    Ray{ point + RayOriginOffset(point) * up, direction, 0.f, distance }, shadowRays);
 }
 
 VisibleFraction Shading::ComputeVisibleFraction(const Light& light, glm::vec3 point,

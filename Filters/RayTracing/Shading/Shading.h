@@ -12,6 +12,7 @@
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace penumbra
@@ -26,8 +27,10 @@ struct ShadedHit
   glm::vec4 Color{ 0.f };           ///< non-premultiplied RGB (not clamped) and opacity
   glm::vec3 Normal{ 0.f };          ///< shading normal (unit), as in VTK's lighting
   glm::vec3 GeometricNormal{ 0.f }; ///< triangle normal, not unit, facing the ray origin
-  glm::vec3 Reflectance{ 0.f };     ///< diffuse reflectance; 0 on surfaces without lighting
-  glm::vec3 Emission{ 0.f };        ///< part of Color that does not depend on lights
+  /// From the hit to the curved surface, see LiftToSmoothSurface(); empty on flat surfaces, and without shadows.
+  std::optional<glm::vec3> Lift;
+  glm::vec3 Reflectance{ 0.f }; ///< diffuse reflectance; 0 on surfaces without lighting
+  glm::vec3 Emission{ 0.f };    ///< part of Color that does not depend on lights
 };
 
 /// Sampling of lights with a size at one point, and its result.
@@ -59,21 +62,22 @@ public:
   /// this object. Null: none.
   void SetAttenuation(const LightAttenuation* attenuation) { this->Attenuation = attenuation; }
 
-  /// Sets light that Shade() and ShadeUntextured() add, times the reflectance; not on lines and points. Default: 0.
+  /// Sets light that Shade() adds to All and Untextured, times the reflectance; not on lines and points. Default: 0.
   void SetUniformLight(glm::vec3 light) { this->UniformLight = light; }
   glm::vec3 GetUniformLight() const { return this->UniformLight; }
 
+  /// Terms of the color that Shade() computes.
+  enum class Terms
+  {
+    All,
+    Untextured, ///< without the texture of the actor, which multiplies the color
+    Diffuse,    ///< no specular highlights; surfaces without lighting are emitters, not reflectors
+    Emission    ///< no lights
+  };
   /// Shades a hit of `ray`. Adds the number of shadow rays traced to `shadowRays`. If `penumbrae`
   /// is null, one ray is traced toward each light.
   ShadedHit Shade(const Ray& ray, const Hit& hit, long long& shadowRays,
-    PenumbraSampling* penumbrae = nullptr) const;
-
-  /// Shades a hit without the texture of the actor, which multiplies the color.
-  ShadedHit ShadeUntextured(const Ray& ray, const Hit& hit, long long& shadowRays) const;
-
-  /// Shades a hit without specular highlights. Surfaces without lighting count as emitters, not as
-  /// reflectors.
-  ShadedHit ShadeDiffuse(const Ray& ray, const Hit& hit, long long& shadowRays) const;
+    PenumbraSampling* penumbrae = nullptr, Terms terms = Terms::All) const;
 
   /// Shades a hit without lights: Color is Emission. Normals may be left out.
   ShadedHit ShadeEmission(const Ray& ray, const Hit& hit) const;
@@ -132,16 +136,6 @@ private:
     bool UniformEmission;     ///< ShadeEmission() depends only on the material
   };
 
-  /// Terms of the color that ShadeHit() computes.
-  enum class Terms
-  {
-    All,
-    Untextured, ///< without Surface::LitTexture
-    Diffuse,    ///< no specular highlights; unlit surfaces emit only
-    Emission    ///< no lights
-  };
-  ShadedHit ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long long& shadowRays,
-    PenumbraSampling* penumbrae) const;
   static PhongCoefficients MakePhongCoefficients(const Material& material);
   bool IsConstant(const Surface& surface, const SurfaceMaterial& material) const;
   glm::vec3 ApplyLights(const PhongCoefficients& phong, const ShadedHit& shaded, glm::vec3 point,
@@ -155,7 +149,7 @@ private:
 
   /// Returns the fraction of a light at `distance` that arrives. `reflected`: what the surface reflects of all of it.
   float ComputeVisibility(std::size_t light, glm::vec3 point, glm::vec3 direction, float distance,
-    glm::vec3 normal, glm::vec3 reflected, long long& shadowRays,
+    const ShadedHit& shaded, glm::vec3 reflected, long long& shadowRays,
     PenumbraSampling* penumbrae) const;
 
   const RayScene& Rays;
