@@ -15,23 +15,47 @@
 namespace penumbra
 {
 
-std::vector<vtkDataSet*> FindDataSets(vtkDataObject* data)
+namespace
+{
+
+bool HasElements(vtkDataObject* data)
+{
+  for (int type = 0; type < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++type)
+  {
+    if (type != vtkDataObject::FIELD && data->GetNumberOfElements(type) > 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+}
+
+std::vector<vtkDataSet*> FindDataSets(vtkDataObject* data, std::set<std::string>* others)
 {
   std::vector<vtkDataSet*> found;
+  const auto add = [&](vtkDataObject* leaf) {
+    if (auto* dataSet = vtkDataSet::SafeDownCast(leaf))
+    {
+      found.push_back(dataSet);
+    }
+    else if (leaf && others && HasElements(leaf))
+    {
+      others->insert(leaf->GetClassName());
+    }
+  };
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
   {
     const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
     for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
     {
-      if (auto* leaf = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
-      {
-        found.push_back(leaf);
-      }
+      add(iterator->GetCurrentDataObject());
     }
   }
-  else if (auto* single = vtkDataSet::SafeDownCast(data))
+  else
   {
-    found.push_back(single);
+    add(data);
   }
   return found;
 }

@@ -8,6 +8,7 @@
 #include "vtkSmartPointer.h"
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,8 +40,9 @@ struct Appearance
   std::shared_ptr<TemporaryFile> Copy; ///< file to import instead; null: none
 };
 
-/// Returns the data sets of `data`, the leaves of composite data in order.
-std::vector<vtkDataSet*> FindDataSets(vtkDataObject* data);
+/// Returns the data sets of `data`, the leaves of composite data in order. Adds the classes of other
+/// leaves with elements, such as tables, to `others` unless it is null.
+std::vector<vtkDataSet*> FindDataSets(vtkDataObject* data, std::set<std::string>* others = nullptr);
 
 /// Returns `mesh` without the points that no cell uses.
 vtkSmartPointer<vtkPolyData> RemoveUnusedPoints(vtkPolyData* mesh);

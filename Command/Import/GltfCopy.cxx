@@ -8,6 +8,7 @@
 #include "Files/TemporaryFile.h"
 #include "GltfAttributes.h"
 #include "GltfContainer.h"
+#include "GltfEmission.h"
 #include "GltfImages.h"
 #include "GltfVersion1.h"
 #include "Processes/CommandError.h"
@@ -73,12 +74,13 @@ public:
     const bool isQuantized = !FindQuantizedAccessors(this->Root).empty();
     return this->WasVersion1 || isSparse || isUnusual || !hasScene || isQuantized ||
       this->Root.contains("images") || this->Root.contains("textures") ||
-      this->Root.contains("extensionsRequired");
+      HasPlainEmission(this->Root) || this->Root.contains("extensionsRequired");
   }
 
   void SimplifyMaterials(std::vector<std::string>& warnings)
   {
     UseFirstTextureCoordinates(this->Root, warnings);
+    AddEmissionCoordinates(this->Root);
   }
 
   /// Makes one buffer and dense accessors.
@@ -369,7 +371,8 @@ private:
     {
       this->Root["images"] = images;
     }
-    RemoveTextures(this->Root, bad);
+    RemoveTextures(this->Root, bad, warnings);
+    AddEmissionTextures(this->Root, this->AddView(MakeWhitePng()));
   }
 
   void RemoveExtensions()

@@ -91,7 +91,8 @@ std::set<std::size_t> FindUsedImages(const nlohmann::json& root)
   return used;
 }
 
-void RemoveTextures(nlohmann::json& root, const std::set<std::size_t>& badImages)
+void RemoveTextures(
+  nlohmann::json& root, const std::set<std::size_t>& badImages, std::vector<std::string>& warnings)
 {
   std::set<std::size_t> goodTextures;
   const std::size_t images = ListOf(root, "images").size();
@@ -101,6 +102,11 @@ void RemoveTextures(nlohmann::json& root, const std::set<std::size_t>& badImages
     const auto source = texture.find("source");
     const bool isValid = source != texture.end() && source->is_number_unsigned() &&
       source->get<std::size_t>() < images && badImages.count(source->get<std::size_t>()) == 0;
+    if (source == texture.end() && !texture.value("extensions", Json::object()).empty())
+    {
+      warnings.push_back("a texture needs the extension " + texture["extensions"].begin().key() +
+        "; its surfaces are drawn without it");
+    }
     if (isValid)
     {
       goodTextures.insert(i);

@@ -9,6 +9,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 namespace penumbra
 {
@@ -23,8 +24,9 @@ std::string MakeWhitePng();
 std::set<std::size_t> FindUsedImages(const nlohmann::json& root);
 
 /// Removes the references of all materials in `root` to textures whose image is missing or in
-/// `badImages`.
-void RemoveTextures(nlohmann::json& root, const std::set<std::size_t>& badImages);
+/// `badImages`. Adds a warning for each texture whose image only an extension names.
+void RemoveTextures(
+  nlohmann::json& root, const std::set<std::size_t>& badImages, std::vector<std::string>& warnings);
 
 }
 #endif

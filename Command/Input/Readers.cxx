@@ -28,7 +28,6 @@
 #include "vtkGLTFReader.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkGenericEnSightReader.h"
-#include "vtkMetaImageReader.h"
 #include "vtkNIFTIImageReader.h"
 #include "vtkOpenFOAMReader.h"
 #include "vtkSLCReader.h"
@@ -173,7 +172,7 @@ std::vector<ReaderRow> MakeTable()
     { { ".byu" }, "Movie.BYU", "vtkBYUReader", MakeByu },
     { { ".facet" }, "Facet", PENUMBRA_READER(vtkFacetReader) },
     { { ".pts" }, "Points", "Penumbra", nullptr, ReadPts },
-    { { ".mha", ".mhd" }, "MetaImage", PENUMBRA_READER(vtkMetaImageReader), nullptr,
+    { { ".mha", ".mhd" }, "MetaImage", "vtkMetaImageReader", MakeMetaImageReader, nullptr,
       OrientMetaImage },
     { { ".nrrd", ".nhdr" }, "NRRD", "vtkNrrdReader", MakeNrrdReader, nullptr, OrientNrrd },
     { { ".nii", ".nii.gz" }, "NIfTI", PENUMBRA_READER(vtkNIFTIImageReader), nullptr, OrientNifti },
@@ -183,27 +182,6 @@ std::vector<ReaderRow> MakeTable()
 }
 
 #undef PENUMBRA_READER
-
-const ReaderRow& FindReader(const std::string& path)
-{
-  const std::string name = LowerCase(std::filesystem::path(path).filename().string());
-  for (const ReaderRow& row : Readers())
-  {
-    for (const std::string& extension : row.Extensions)
-    {
-      // A name that consists of the extension only has none.
-      if (name.size() > extension.size() &&
-        name.compare(name.size() - extension.size(), extension.size(), extension) == 0 &&
-        (!row.Recognizes || row.Recognizes(path)))
-      {
-        return row;
-      }
-    }
-  }
-  throw CommandError(BadInput,
-    path + ": unknown extension '" + LowerExtension(path) +
-      "'; `penumbra list` prints the supported ones");
-}
 
 void CheckFile(const std::string& path)
 {
@@ -233,6 +211,28 @@ void CheckFile(const std::string& path)
   {
     throw CommandError(BadInput, path + ": the file is empty; export it again");
   }
+}
+
+const ReaderRow& FindReader(const std::string& path)
+{
+  const std::string name = LowerCase(std::filesystem::path(path).filename().string());
+  for (const ReaderRow& row : Readers())
+  {
+    for (const std::string& extension : row.Extensions)
+    {
+      // A name that consists of the extension only has none.
+      if (name.size() > extension.size() &&
+        name.compare(name.size() - extension.size(), extension.size(), extension) == 0 &&
+        (!row.Recognizes || row.Recognizes(path)))
+      {
+        return row;
+      }
+    }
+  }
+  CheckFile(path);
+  throw CommandError(BadInput,
+    path + ": unknown extension '" + LowerExtension(path) +
+      "'; `penumbra list` prints the supported ones");
 }
 
 [[noreturn]] void FailReading(

@@ -35,6 +35,7 @@
 #include <filesystem>
 #include <new>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 namespace penumbra
@@ -162,7 +163,19 @@ Surfaces ExtractSurfaces(
   Surfaces surfaces;
   std::string missing;
   bool wasCut = false;
-  const std::vector<vtkDataSet*> dataSets = FindDataSets(data);
+  std::set<std::string> others;
+  const std::vector<vtkDataSet*> dataSets = FindDataSets(data, &others);
+  if (dataSets.empty() && !others.empty())
+  {
+    throw CommandError(BadInput,
+      path + ": a " + *others.begin() +
+        " cannot be rendered; convert it to polygons or an unstructured grid");
+  }
+  for (const std::string& other : others)
+  {
+    appearance.Warnings.push_back(
+      "blocks of the class " + other + " cannot be rendered and were skipped");
+  }
   appearance.Actors.resize(dataSets.size());
   for (std::size_t i = 0; i < dataSets.size(); ++i)
   {
@@ -320,6 +333,21 @@ Surfaces ReadSurfaces(const std::string& path, const InputOptions& options)
         (options.Cuts.Cuts.empty()
             ? ": the mesh is empty; choose a file that contains cells or points"
             : ": --slice, --clip, --contour or --threshold leaves nothing; choose other values"));
+  }
+  if (surfaces.DroppedPoints > 0)
+  {
+    surfaces.Warnings.push_back(path + ": " + std::to_string(surfaces.DroppedPoints) + " of " +
+      std::to_string(surfaces.Points) +
+      " points are not finite; they and the cells that use them were skipped");
+  }
+  if (surfaces.RoundingStep > 0.0)
+  {
+    std::ostringstream text;
+    text
+      << path << ": coordinates of single precision are rounded to multiples of "
+      << surfaces.RoundingStep
+      << "; subtract an offset from them before they are stored, or store them in double precision";
+    surfaces.Warnings.push_back(text.str());
   }
   return surfaces;
 }

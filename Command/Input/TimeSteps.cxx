@@ -128,6 +128,11 @@ void UpdateAtTime(vtkAlgorithm* reader, double time)
     reader->Update();
     return;
   }
+  if (reader->IsA("vtkHDFReader"))
+  {
+    // VTK 9.7 reads the first step of composite data unless it is asked for the information again.
+    reader->Modified();
+  }
   reader->UpdateTimeStep(vtkGLTFReader::SafeDownCast(reader)
       ? std::min(std::max(time, times.front()), times.back())
       : times[FindStep(times, time)]);

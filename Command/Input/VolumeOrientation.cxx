@@ -10,6 +10,7 @@
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMetaImageReader.h"
 #include "vtkNIFTIImageReader.h"
 #include "vtkNew.h"
 #include "vtkNrrdReader.h"
@@ -89,6 +90,59 @@ std::vector<double> ParseNumbers(std::string_view text)
   return numbers;
 }
 
+struct MetaImageHeader
+{
+  std::vector<double> Origin;
+  std::vector<double> Spacing;
+  std::vector<double> Matrix;
+  std::vector<double> Sizes; ///< numbers of voxels
+};
+
+MetaImageHeader ReadMetaImageHeader(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  MetaImageHeader header;
+  std::vector<double> size;
+  std::string line;
+  while (std::getline(file, line))
+  {
+    const std::size_t sign = line.find('=');
+    if (sign == line.npos)
+    {
+      break;
+    }
+    TextScanner words(line.data(), line.data() + sign);
+    const std::string_view key = words.Word();
+    const std::vector<double> numbers = ParseNumbers(std::string_view(line).substr(sign + 1));
+    if (key == "Offset" || key == "Position" || key == "Origin")
+    {
+      header.Origin = numbers;
+    }
+    else if (key == "TransformMatrix" || key == "Rotation" || key == "Orientation")
+    {
+      header.Matrix = numbers;
+    }
+    else if (key == "DimSize")
+    {
+      header.Sizes = numbers;
+    }
+    else if (key == "ElementSpacing")
+    {
+      header.Spacing = numbers;
+    }
+    else if (key == "ElementSize")
+    {
+      size = numbers;
+    }
+    else if (key == "ElementDataFile")
+    {
+      break; // Data may follow.
+    }
+  }
+  header.Spacing = header.Spacing.empty() ? size : header.Spacing;
+  return header;
+}
+
 /// Reads components by the header.
 class NrrdReader : public vtkNrrdReader
 {
@@ -147,59 +201,37 @@ void OrientNrrd(vtkAlgorithm* reader, const std::string& path, vtkDataObject* im
   SetFrame(image, path, frame);
 }
 
+vtkSmartPointer<vtkAlgorithm> MakeMetaImageReader(const std::string& path)
+{
+  const std::size_t dimensions = ReadMetaImageHeader(path).Sizes.size();
+  if (dimensions > 3)
+  {
+    throw CommandError(BadInput,
+      path + ": the volume has " + std::to_string(dimensions) +
+        " dimensions instead of 3; write one file per volume");
+  }
+  auto reader = vtkSmartPointer<vtkMetaImageReader>::New();
+  reader->SetFileName(path.c_str());
+  return reader;
+}
+
 void OrientMetaImage(vtkAlgorithm*, const std::string& path, vtkDataObject* image)
 {
-  std::ifstream file(path, std::ios::binary);
-  std::vector<double> origin;
-  std::vector<double> spacing;
-  std::vector<double> size;
-  std::vector<double> matrix;
-  std::string line;
-  while (std::getline(file, line))
-  {
-    const std::size_t sign = line.find('=');
-    if (sign == line.npos)
-    {
-      break;
-    }
-    TextScanner words(line.data(), line.data() + sign);
-    const std::string_view key = words.Word();
-    const std::vector<double> numbers = ParseNumbers(std::string_view(line).substr(sign + 1));
-    if (key == "Offset" || key == "Position" || key == "Origin")
-    {
-      origin = numbers;
-    }
-    else if (key == "TransformMatrix" || key == "Rotation" || key == "Orientation")
-    {
-      matrix = numbers;
-    }
-    else if (key == "ElementSpacing")
-    {
-      spacing = numbers;
-    }
-    else if (key == "ElementSize")
-    {
-      size = numbers;
-    }
-    else if (key == "ElementDataFile")
-    {
-      break; // Data may follow.
-    }
-  }
-  spacing = spacing.empty() ? size : spacing;
+  const MetaImageHeader header = ReadMetaImageHeader(path);
+  const std::vector<double>& matrix = header.Matrix;
   const std::size_t dimension = matrix.size() == 4 ? 2 : 3;
   Frame frame;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    frame.Origin[axis] = axis < origin.size() ? origin[axis] : 0.0;
+    frame.Origin[axis] = axis < header.Origin.size() ? header.Origin[axis] : 0.0;
     // The matrix lists the direction of one axis after the other.
     for (std::size_t i = 0; i < dimension && axis < dimension && !matrix.empty(); ++i)
     {
       frame.Steps[axis][i] =
         axis * dimension + i < matrix.size() ? matrix[axis * dimension + i] : frame.Steps[axis][i];
     }
-    const double step = axis < spacing.size() && spacing[axis] != 0.0 ? spacing[axis] : 1.0;
-    vtkMath::MultiplyScalar(frame.Steps[axis], std::abs(step));
+    const bool hasStep = axis < header.Spacing.size() && header.Spacing[axis] != 0.0;
+    vtkMath::MultiplyScalar(frame.Steps[axis], hasStep ? std::abs(header.Spacing[axis]) : 1.0);
   }
   SetFrame(image, path, frame);
 }

@@ -19,6 +19,9 @@ namespace penumbra
 /// Makes a reader that finds the axis of components by the header instead of its size.
 vtkSmartPointer<vtkAlgorithm> MakeNrrdReader(const std::string& path);
 
+/// Makes a reader. Throws CommandError for more than three dimensions, at which it crashes.
+vtkSmartPointer<vtkAlgorithm> MakeMetaImageReader(const std::string& path);
+
 /// Each sets origin, spacing and direction of `image`, as read by `reader` from `path`. Throws
 /// CommandError if axes are parallel.
 void OrientMetaImage(vtkAlgorithm* reader, const std::string& path, vtkDataObject* image);

@@ -216,6 +216,15 @@ const Row Rows[] = {
   { "NoMesh", 2, "# vtk DataFile Version 3.0\nempty\nASCII\nDATASET POLYDATA\nPOINTS 0 float\n",
     "vtk", {}, { "mesh.vtk", "empty" } },
 
+  { "Table", 2,
+    "# vtk DataFile Version 3.0\nt\nASCII\nDATASET TABLE\nROW_DATA 2\nFIELD f 1\nx 1 2 float\n1 "
+    "2\n",
+    "vtk", {}, { "mesh.vtk", "vtkTable cannot be rendered" } },
+  { "FourDimensions", 2,
+    "ObjectType = Image\nNDims = 4\nDimSize = 2 2 2 2\nElementType = MET_UCHAR\n"
+    "ElementDataFile = LOCAL\n0123456789abcdef",
+    "mha", {}, { "mesh.mha", "4 dimensions instead of 3" } },
+
   // Success with one warning
   { "NanPoint", 0, PlyWithNan, "ply", {},
     { "warning", "mesh.ply", "1 of 4 points", "not finite" } },
@@ -349,6 +358,39 @@ std::string NameOf(const testing::TestParamInfo<Row>& row)
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, BadInput, testing::ValuesIn(Rows), NameOf);
+
+TEST(Folders, AreNoFiles)
+{
+  const Folder folder("folders");
+  const ProgramResult outcome =
+    RunProgram({ "render", folder.Path, "--output", folder / "image.png" });
+  EXPECT_EQ(outcome.Status, 2);
+  EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+  EXPECT_NE(outcome.Errors.find("the path is a folder"), std::string::npos) << outcome.Errors;
+}
+
+TEST(Blocks, WithoutSurfacesCauseOneWarning)
+{
+  const Folder folder("blocks");
+  WriteText(folder / "a.stl", SquareStl());
+  ASSERT_EQ(RunProgram({ "bake", folder / "a.stl", "--output", folder / "a.vtp" }).Status, 0);
+  WriteText(folder / "t.vtt",
+    R"(<VTKFile type="Table" version="0.1" byte_order="LittleEndian"><Table>
+<Piece NumberOfCols="1" NumberOfRows="2"><RowData><DataArray type="Float32" Name="x" format="ascii">1 2</DataArray>
+</RowData></Piece></Table></VTKFile>)");
+  WriteText(folder / "a.vtm",
+    R"(<VTKFile type="vtkMultiBlockDataSet" version="1.0" byte_order="LittleEndian"><vtkMultiBlockDataSet>
+<DataSet index="0" file="a.vtp"/><DataSet index="1" file="t.vtt"/></vtkMultiBlockDataSet></VTKFile>)");
+  for (const char* command : { "render", "bake" })
+  {
+    const std::string output = folder / (command == std::string("bake") ? "b.vtp" : "b.png");
+    const ProgramResult outcome = RunProgram({ command, folder / "a.vtm", "--output", output });
+    EXPECT_EQ(outcome.Status, 0);
+    EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+    EXPECT_NE(outcome.Errors.find("a.vtm: blocks of the class vtkTable"), std::string::npos)
+      << outcome.Errors;
+  }
+}
 
 TEST(InvalidUsage, PrintsOneLineError)
 {

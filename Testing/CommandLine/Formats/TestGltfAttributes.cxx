@@ -7,6 +7,8 @@
 #include "Program.h"
 #include "RenderedImages.h"
 
+#include "vtkImageData.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -58,12 +60,15 @@ int AddIntegers(Document& root, const std::vector<float>& values, int components
   return static_cast<int>(root["accessors"].size() - 1);
 }
 
-ProgramResult Render(const Folder& folder, const std::string& name, const Document& root)
+ProgramResult Render(const Folder& folder, const std::string& name, const Document& root,
+  const std::vector<std::string>& options = {})
 {
   WriteText(folder / name + ".gltf", root.dump());
-  return RunProgram(
-    { "render", folder / name + ".gltf", "--output", folder / name + ".png", "--resolution",
-      "80,60", "--camera-position", "0.5,0.5,4", "--camera-focal-point", "0.5,0.5,0" });
+  std::vector<std::string> arguments = { "render", folder / name + ".gltf", "--output",
+    folder / name + ".png", "--resolution", "80,60", "--camera-position", "0.5,0.5,4",
+    "--camera-focal-point", "0.5,0.5,0" };
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return RunProgram(arguments);
 }
 
 void ExpectEqual(const Folder& folder, const std::string& name, const Document& root)
@@ -165,6 +170,46 @@ TEST(GltfAttributes, ImagesOfExtensionsWithAlternativesAreNotNeeded)
   root["images"].push_back({ { "uri", "colors.webp" } });
   root["textures"][0]["extensions"]["EXT_texture_webp"] = { { "source", 1 } };
   ExpectEqual(folder, "webp", root);
+}
+
+TEST(GltfAttributes, ImagesOfExtensionsWithoutAlternativesCauseOneWarning)
+{
+  const Folder folder("webp");
+  Document root = MakeTiltedSquare();
+  AddAttribute(root, "TEXCOORD_0", "VEC2", Coordinates);
+  AddTexture(folder, root);
+  root["textures"][0].erase("source");
+  root["textures"][0]["extensions"]["EXT_texture_webp"] = { { "source", 0 } };
+  const ProgramResult outcome = Render(folder, "webp", root);
+  EXPECT_EQ(outcome.Status, 0);
+  EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+  EXPECT_NE(outcome.Errors.find("EXT_texture_webp"), std::string::npos) << outcome.Errors;
+}
+
+TEST(GltfAttributes, EmissionNeedsNoTexture)
+{
+  const Folder folder("emission");
+  const double factor[] = { 0.4, 0.2, 0.05 };
+  for (const double strength : { 1.0, 2.0 })
+  {
+    Document root = MakeTiltedSquare();
+    root["materials"] = Document::array({ { { "emissiveFactor", factor } } });
+    if (strength != 1.0)
+    {
+      root["materials"][0]["extensions"]["KHR_materials_emissive_strength"] = {
+        { "emissiveStrength", strength }
+      };
+    }
+    root["meshes"][0]["primitives"][0]["material"] = 0;
+    const ProgramResult outcome = Render(folder, "emission", root, { "--light-intensity", "0" });
+    ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+    EXPECT_EQ(outcome.Errors, "");
+    const Pixel pixel = PixelAt(ReadImage(folder / "emission.png"), 40, 30);
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(pixel[c], std::pow(strength * factor[c], 1.0 / 2.2), 1.01 / 255.0) << c;
+    }
+  }
 }
 
 TEST(GltfAttributes, FilesWithoutScenesShowAllNodes)

@@ -154,6 +154,9 @@ std::vector<SeriesFile> WriteSeries(const Folder& folder)
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) // before, only the first step is read
     { "vtkHDFReader", SourceFolder() + "/Testing/CommandLine/Series/Data/steps.vtkhdf" },
 #endif
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0) // of composite data
+    { "vtkHDFReader", SourceFolder() + "/Testing/CommandLine/Series/Data/blocks.vtkhdf" },
+#endif
     { "vtkCGNSReader", SourceFolder() + "/Testing/CommandLine/Series/Data/steps.cgns" }
   };
   for (const auto& row : optional)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-# Writes steps.e, steps.vtkhdf and steps.cgns, formats that the tests cannot write themselves: a square of
-# side 2 whose point array T is 0, 1 and 2 at the times 0, 0.5 and 1.5. Needs numpy, scipy and h5py.
+# Writes steps.e, steps.vtkhdf, blocks.vtkhdf and steps.cgns, formats that the tests cannot write themselves: a
+# square of side 2 whose point array T is 0, 1 and 2 at the times 0, 0.5 and 1.5. Needs numpy, scipy and h5py.
 import pathlib
 
 import h5py
@@ -47,11 +47,21 @@ def write_exodus(path):
     file.close()
 
 
-def write_vtkhdf(path):
+def describe_vtkhdf(group, kind, version):
+    group.attrs["Version"] = np.array(version, "i8")
+    group.attrs.create("Type", np.bytes_(kind), dtype=h5py.string_dtype("ascii", len(kind)))
+
+
+def write_vtkhdf(path, is_block=False):
     with h5py.File(path, "w") as file:
-        root = file.create_group("VTKHDF")
-        root.attrs["Version"] = np.array([2, 0], "i8")
-        root.attrs.create("Type", np.bytes_("UnstructuredGrid"), dtype=h5py.string_dtype("ascii", 16))
+        root = file.create_group("VTKHDF", track_order=is_block)
+        version = [2, 2] if is_block else [2, 0]
+        if is_block:
+            describe_vtkhdf(root, "PartitionedDataSetCollection", version)
+            root.create_group("Assembly", track_order=True)["Block"] = h5py.SoftLink("/VTKHDF/Block")
+            root = root.create_group("Block")
+            root.attrs["Index"] = 0
+        describe_vtkhdf(root, "UnstructuredGrid", version)
         for name, count in (("NumberOfPoints", 4), ("NumberOfCells", 1), ("NumberOfConnectivityIds", 4)):
             root[name] = np.array([count], "i8")
         root["Points"] = np.stack([X, Y, Z], 1).astype("f4")
@@ -121,4 +131,5 @@ def write_cgns(path):
 
 write_exodus(FOLDER / "steps.e")
 write_vtkhdf(FOLDER / "steps.vtkhdf")
+write_vtkhdf(FOLDER / "blocks.vtkhdf", True)
 write_cgns(FOLDER / "steps.cgns")
