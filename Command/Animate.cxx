@@ -11,6 +11,7 @@
 #include "Files/Report.h"
 #include "Film/Film.h"
 #include "Options/FrozenOptions.h"
+#include "Options/Placeholders.h"
 #include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
@@ -107,9 +108,10 @@ bool IsMissing(const Film& film, int frame)
   return film.IsWanted(frame) && !film.IsUpToDate(frame);
 }
 
-/// Calls action(). Returns whether it succeeded; else prints the error and raises `status` to its exit status.
+/// Calls action(), which writes the image `output`. Returns whether it succeeded; else prints the error and raises
+/// `status` to its exit status.
 template <typename Attempt>
-bool Succeeds(const Attempt& action, int& status)
+bool Succeeds(const Attempt& action, const std::string& output, int& status)
 {
   try
   {
@@ -118,7 +120,7 @@ bool Succeeds(const Attempt& action, int& status)
   }
   catch (const CommandError& error)
   {
-    PrintMessage(error.what());
+    PrintError(error.what(), ReplaceAll(error.what(), output, ""));
     status = std::max<int>(status, error.ExitStatus);
     return false;
   }
@@ -169,7 +171,7 @@ int RenderGroup(const Film& film, const FrameGroup& group, int threads)
       CreateFolders(fixed);
       output.emplace(fixed);
     };
-    const bool writable = missing && Succeeds(open, status);
+    const bool writable = missing && Succeeds(open, fixed.Output, status);
     if (!writable && rays)
     {
       continue;
@@ -186,7 +188,7 @@ int RenderGroup(const Film& film, const FrameGroup& group, int threads)
     };
     if (writable)
     {
-      Succeeds(save, status);
+      Succeeds(save, fixed.Output, status);
     }
     preparation = { Clock::now() };
   }

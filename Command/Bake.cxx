@@ -218,7 +218,7 @@ bool WriteAs(const std::string& extension, vtkPolyData* mesh, const std::string&
       warnings.push_back(text.str());
     }
     AddColors(mesh, quantity);
-    return WritePly(mesh, "Baked", path);
+    return WritePly(mesh, "Baked", path, warnings);
   }
   return WriteMesh(extension, mesh, path, warnings);
 }

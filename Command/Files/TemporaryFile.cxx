@@ -11,7 +11,13 @@ namespace penumbra
 
 std::string CreateTemporaryFile(const std::string& extension)
 {
-  std::string name = (std::filesystem::temp_directory_path() / "penumbra-XXXXXX").string();
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  if (error)
+  {
+    return {};
+  }
+  std::string name = (folder / "penumbra-XXXXXX").string();
   name += extension;
   const int descriptor = mkstemps(&name[0], static_cast<int>(extension.size()));
   if (descriptor < 0)

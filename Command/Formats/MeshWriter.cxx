@@ -7,6 +7,7 @@
 
 #include "vtkAbstractArray.h"
 #include "vtkAppendFilter.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -15,6 +16,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataWriter.h"
 #include "vtkSmartPointer.h"
+#include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLPolyDataWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
@@ -130,6 +132,21 @@ vtkSmartPointer<vtkPolyData> CopyWithStoredNames(
   return copy;
 }
 
+/// Returns the polygons of a mesh and the triangles of its strips, which vtkPLYWriter does not write.
+vtkSmartPointer<vtkCellArray> CollectPolygons(vtkPolyData* mesh)
+{
+  auto polygons = vtkSmartPointer<vtkCellArray>::New();
+  polygons->DeepCopy(mesh->GetPolys());
+  vtkNew<vtkPolyData> strips;
+  strips->SetPoints(mesh->GetPoints());
+  strips->SetStrips(mesh->GetStrips());
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(strips);
+  triangles->Update();
+  polygons->Append(triangles->GetOutput()->GetPolys());
+  return polygons;
+}
+
 bool HasStoredNames(vtkFieldData* arrays, const std::string& extension)
 {
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
@@ -171,11 +188,21 @@ bool WriteMesh(const std::string& extension, vtkPolyData* mesh, const std::strin
   return Write(vtkNew<vtkXMLUnstructuredGridWriter>().Get(), convert->GetOutput(), path);
 }
 
-bool WritePly(vtkPolyData* mesh, const std::string& colors, const std::string& path)
+bool WritePly(vtkPolyData* mesh, const std::string& colors, const std::string& path,
+  std::vector<std::string>& warnings)
 {
+  if (mesh->GetNumberOfLines() > 0)
+  {
+    warnings.push_back("--output: .ply files have no lines: " +
+      std::to_string(mesh->GetNumberOfLines()) + " were left out; use .vtp, .vtu or .vtk");
+  }
+  vtkNew<vtkPolyData> polygons;
+  polygons->SetPoints(mesh->GetPoints());
+  polygons->GetPointData()->ShallowCopy(mesh->GetPointData());
+  polygons->SetPolys(CollectPolygons(mesh));
   vtkNew<vtkPLYWriter> writer;
   writer->SetArrayName(colors.c_str());
-  if (!Write(writer.Get(), mesh, path))
+  if (!Write(writer.Get(), polygons, path))
   {
     return false;
   }

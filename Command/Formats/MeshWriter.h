@@ -18,8 +18,10 @@ namespace penumbra
 bool WriteMesh(const std::string& extension, vtkPolyData* mesh, const std::string& path,
   std::vector<std::string>& warnings);
 
-/// Writes `mesh` as .ply with the colors of a point array. Returns false if the file is incomplete.
-bool WritePly(vtkPolyData* mesh, const std::string& colors, const std::string& path);
+/// Writes the polygons and strips of `mesh` as .ply with the colors of a point array. Returns false if the file is
+/// incomplete. Adds a warning if there are lines.
+bool WritePly(vtkPolyData* mesh, const std::string& colors, const std::string& path,
+  std::vector<std::string>& warnings);
 
 }
 #endif

@@ -110,8 +110,7 @@ std::string WriteGlb(const nlohmann::json& root, const std::string& binary, cons
   if (name.empty())
   {
     throw CommandError(BadInput,
-      path + ": no temporary file can be created in " +
-        std::filesystem::temp_directory_path().string() + "; set TMPDIR to another folder");
+      path + ": no temporary file can be created; set TMPDIR to a folder that is writable");
   }
   std::ofstream file(name, std::ios::binary);
   const auto padded = static_cast<std::uint32_t>((binary.size() + 3) / 4 * 4);

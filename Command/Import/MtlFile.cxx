@@ -13,6 +13,8 @@ namespace penumbra
 namespace
 {
 
+constexpr double MaximumEmission = 1e6; ///< keeps single precision finite
+
 /// Parses up to `count` numbers; the last one is repeated. Returns how many were parsed.
 template <typename Values>
 int ParseValues(TextScanner& text, Values& values)
@@ -36,14 +38,14 @@ int ParseValues(TextScanner& text, Values& values)
   return static_cast<int>(count);
 }
 
-void ParseColor(TextScanner& text, std::array<double, 3>& color)
+void ParseColor(TextScanner& text, std::array<double, 3>& color, double maximum = 1.0)
 {
   std::array<double, 3> values = color;
   if (ParseValues(text, values) > 0)
   {
     for (std::size_t c = 0; c < 3; ++c)
     {
-      color[c] = std::clamp(values[c], 0.0, 1.0);
+      color[c] = std::clamp(values[c], 0.0, maximum);
     }
   }
 }
@@ -119,6 +121,10 @@ bool ReadMtl(const std::string& path, MtlMaterials& materials)
     {
       ParseColor(text, material->Specular);
     }
+    else if (keyword == "Ke")
+    {
+      ParseColor(text, material->Emission, MaximumEmission);
+    }
     else if (keyword == "Ns")
     {
       material->SpecularExponent = std::clamp(ParseValue(text, 0.0), 0.0, 1000.0);
@@ -138,6 +144,12 @@ bool ReadMtl(const std::string& path, MtlMaterials& materials)
     else if (EqualsIgnoringCase(keyword, "map_Kd"))
     {
       ParseTexture(text, *material);
+    }
+    else if (EqualsIgnoringCase(keyword, "map_d"))
+    {
+      MtlMaterial opacity;
+      ParseTexture(text, opacity);
+      material->OpacityTexture = opacity.Texture;
     }
     text.Line();
   }

@@ -19,10 +19,12 @@ struct MtlMaterial
 {
   std::array<double, 3> Diffuse{ 0.8, 0.8, 0.8 };
   std::array<double, 3> Specular{ 0.0, 0.0, 0.0 };
+  std::array<double, 3> Emission{ 0.0, 0.0, 0.0 };
   double SpecularExponent = 0.0; ///< of Blinn's model
   double Opacity = 1.0;
   int Illumination = 2;
-  std::string Texture; ///< path of map_Kd; empty: none
+  std::string Texture;        ///< path of map_Kd; empty: none
+  std::string OpacityTexture; ///< path of map_d, which is not drawn; empty: none
   std::array<double, 2> TextureScale{ 1.0, 1.0 };
   std::array<double, 2> TextureOffset{ 0.0, 0.0 };
 };

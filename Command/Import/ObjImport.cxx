@@ -32,6 +32,7 @@
 #include "vtkTexture.h"
 #include "vtkTransform.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <new>
@@ -154,6 +155,22 @@ public:
     }
   }
 
+  /// Warns of materials whose opacity is in an image other than that of their color.
+  void ReportOpacityTextures()
+  {
+    const auto isLost = [](const auto& material) {
+      const std::string& texture = material.second.OpacityTexture;
+      return !texture.empty() && texture != material.second.Texture;
+    };
+    const auto count = std::count_if(this->Materials.begin(), this->Materials.end(), isLost);
+    if (count > 0)
+    {
+      this->Result.Warnings.push_back("the opacity textures (map_d) of " + std::to_string(count) +
+        (count == 1 ? " material are" : " materials are") +
+        " not drawn; put the opacity into the alpha channel of map_Kd");
+    }
+  }
+
   bool HasMaterials() const { return !this->Materials.empty(); }
 
   /// Returns an actor with a material; null: the material does not exist.
@@ -169,6 +186,9 @@ public:
     vtkProperty* property = actor->GetProperty();
     const std::array<double, 3>& color = material.Diffuse;
     property->SetColor(color[0], color[1], color[2]);
+    const std::array<double, 3>& emission = material.Emission;
+    property->SetAmbientColor(emission[0], emission[1], emission[2]);
+    property->SetAmbient(*std::max_element(emission.begin(), emission.end()) > 0.0 ? 1.0 : 0.0);
     property->SetSpecularColor(material.Specular[0], material.Specular[1], material.Specular[2]);
     property->SetOpacity(material.Opacity);
     property->SetInterpolationToPhong();
@@ -275,6 +295,7 @@ vtkSmartPointer<vtkDataObject> ImportObj(
   if (!meshes.empty())
   {
     importer.ReadLibraries(meshes.front());
+    importer.ReportOpacityTextures();
   }
   if (!importer.HasMaterials())
   {

@@ -91,25 +91,34 @@ std::string FindInconsistency(vtkCellArray* cells, vtkIdType points)
   return std::string();
 }
 
+constexpr int UnknownType = -1;
+
 // Returns the number of points of each cell type; 0 if it varies.
 std::array<int, 256> CountCorners()
 {
   std::array<int, 256> corners = {};
-  for (int type = 0; type < VTK_POLYHEDRON; ++type)
+  for (int type = 0; type < static_cast<int>(corners.size()); ++type)
   {
     const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
-    corners[type] = cell ? static_cast<int>(cell->GetNumberOfPoints()) : 0;
+    corners[type] = !cell     ? UnknownType
+      : type < VTK_POLYHEDRON ? static_cast<int>(cell->GetNumberOfPoints())
+                              : 0;
   }
   return corners;
 }
 
-std::string FindInvalidCellSize(vtkUnstructuredGrid* grid)
+std::string FindInvalidCell(vtkUnstructuredGrid* grid)
 {
   static const std::array<int, 256> corners = CountCorners();
   vtkCellArray* cells = grid->GetCells();
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
     const int needed = corners[static_cast<unsigned char>(grid->GetCellType(cell))];
+    if (needed == UnknownType)
+    {
+      return "cell " + std::to_string(cell) + " has the unknown type " +
+        std::to_string(grid->GetCellType(cell));
+    }
     if (needed > 0 && cells->GetCellSize(cell) != needed)
     {
       std::ostringstream message;
@@ -157,7 +166,7 @@ std::string FindInconsistency(vtkDataSet* data)
     check(FindInconsistency(grid->GetCells(), points));
     if (inconsistency.empty())
     {
-      check(FindInvalidCellSize(grid));
+      check(FindInvalidCell(grid));
     }
   }
   if (inconsistency.empty())

@@ -7,6 +7,7 @@
 #include "Files/TemporaryFile.h"
 #include "Formats/MeshArrays.h"
 #include "Formats/MeshReaders.h"
+#include "Formats/XdmfCopy.h"
 #include "Import/Appearance.h"
 #include "Import/GltfCopy.h"
 #include "Processes/CommandError.h"
@@ -167,7 +168,7 @@ std::vector<ReaderRow> MakeTable()
     { { ".inp" }, "AVS UCD", PENUMBRA_READER(vtkAVSucdReader) },
     { { ".neu" }, "GAMBIT", PENUMBRA_READER(vtkGAMBITReader) },
 #ifdef PENUMBRA_HAS_IOXdmf2
-    { { ".xdmf", ".xmf" }, "XDMF 2", PENUMBRA_READER(vtkXdmfReader) },
+    { { ".xdmf", ".xmf" }, "XDMF 2", PENUMBRA_READER(vtkXdmfReader), nullptr, nullptr, CopyXdmf },
 #endif
     { { ".byu" }, "Movie.BYU", "vtkBYUReader", MakeByu },
     { { ".facet" }, "Facet", PENUMBRA_READER(vtkFacetReader) },

@@ -117,7 +117,9 @@ std::vector<double> ParseNumbers(const std::string& option, const std::string& t
 int ParseInteger(const std::string& option, const std::string& text, int minimum, int maximum)
 {
   double value = 0.0;
-  if (!ParseNumber(text, value) || value != std::floor(value) || value < minimum || value > maximum)
+  const bool isDecimal = text.find_first_of("eE/") == text.npos;
+  if (!isDecimal || !ParseNumber(text, value) || value != std::floor(value) || value < minimum ||
+    value > maximum)
   {
     ThrowInvalid(option, text,
       "an integer from " + std::to_string(minimum) + " to " + std::to_string(maximum));
@@ -205,6 +207,10 @@ Option AddColor(const CommandLine& app, const std::string& name, std::optional<V
       target =
         Vector3{ (bytes >> 16) / 255.0, (bytes >> 8 & 255u) / 255.0, (bytes & 255u) / 255.0 };
       return;
+    }
+    if (text.find(',') == text.npos)
+    {
+      ThrowInvalid(name, text, "the name of a color, #RRGGBB or 3 numbers separated by commas");
     }
     const std::vector<double> numbers = ParseNumbers(name, text, 3, 3, { 0.0, 1.0 });
     std::copy(numbers.begin(), numbers.end(), target->begin());

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -38,7 +39,15 @@ struct WorkerStatus
   int Blame;
 };
 
+/// Errors of the workers of a pool, in shared memory.
+struct SharedErrors
+{
+  std::atomic<std::uint64_t> Keys[64]; ///< hashes of those that were printed; 0: none
+  std::atomic<int> Repeated;
+};
+
 WorkerStatus* CurrentStatus = nullptr;
+SharedErrors* CurrentErrors = nullptr;
 std::atomic<int> CancelSignal{ 0 };
 
 void RequestCancel(int number)
@@ -179,7 +188,7 @@ class WorkerPool
 {
 public:
   explicit WorkerPool(int count)
-    : Bytes(sizeof(WorkerStatus) * count)
+    : Bytes(sizeof(SharedErrors) + sizeof(WorkerStatus) * count)
   {
     void* memory =
       mmap(nullptr, this->Bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
@@ -187,7 +196,8 @@ public:
     {
       throw std::bad_alloc();
     }
-    this->Reports = static_cast<WorkerStatus*>(memory);
+    this->Errors = static_cast<SharedErrors*>(memory);
+    this->Reports = reinterpret_cast<WorkerStatus*>(this->Errors + 1);
   }
   ~WorkerPool()
   {
@@ -197,7 +207,7 @@ public:
       waitpid(worker.first, nullptr, 0);
       RemoveTemporaries(this->Reports[worker.second]);
     }
-    munmap(this->Reports, this->Bytes);
+    munmap(this->Errors, this->Bytes);
   }
   WorkerPool(const WorkerPool&) = delete;
   void operator=(const WorkerPool&) = delete;
@@ -205,6 +215,7 @@ public:
   bool HasWorkers() const { return !this->Running.empty(); }
   int Size() const { return static_cast<int>(this->Running.size()); }
   void Wait() const { this->Signals.Wait(); }
+  int CountRepeatedErrors() const { return this->Errors->Repeated; }
 
   // Returns false if the process limit is reached; throws CommandError if not even one process can start.
   bool Start(int number, const std::function<int(int)>& task)
@@ -219,6 +230,7 @@ public:
     if (child == 0)
     {
       CurrentStatus = &this->Reports[number];
+      CurrentErrors = this->Errors;
       this->Signals.EnterWorker();
       LimitMemory();
       penumbra::EndProcess(penumbra::RunGuarded([&]() { return task(number); }));
@@ -257,6 +269,7 @@ public:
 private:
   SignalGuard Signals;
   std::map<pid_t, int> Running;
+  SharedErrors* Errors = nullptr;
   WorkerStatus* Reports = nullptr;
   std::size_t Bytes;
 };
@@ -316,6 +329,25 @@ void RemoveTemporaries()
   }
 }
 
+void PrintError(const std::string& error, const std::string& cause)
+{
+  const std::uint64_t key = std::hash<std::string>()(cause) | 1; // never 0
+  for (std::size_t i = 0; CurrentErrors && i < std::size(CurrentErrors->Keys); ++i)
+  {
+    std::uint64_t found = 0;
+    if (!CurrentErrors->Keys[i].compare_exchange_strong(found, key) && found == key)
+    {
+      ++CurrentErrors->Repeated;
+      return;
+    }
+    if (found == 0)
+    {
+      break;
+    }
+  }
+  PrintMessage(error);
+}
+
 int RunGuarded(const std::function<int()>& body)
 {
   try
@@ -332,7 +364,7 @@ int RunGuarded(const std::function<int()>& body)
   }
   catch (const CommandError& failure)
   {
-    PrintMessage(failure.what());
+    PrintError(failure.what(), failure.what());
     return failure.ExitStatus;
   }
   catch (const Cancelled&)
@@ -392,6 +424,11 @@ int RunWorkers(int count, int jobs, const std::function<int(int)>& task,
   if (CancelSignal)
   {
     throw Cancelled(CancelSignal);
+  }
+  if (const int repeated = pool.CountRepeatedErrors())
+  {
+    PrintMessage("the same error occurred " + std::to_string(repeated) +
+      (repeated == 1 ? " more time" : " more times"));
   }
   return worst;
 }

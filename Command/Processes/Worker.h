@@ -32,6 +32,10 @@ void RemoveTemporaries();
 int RunWorkers(int count, int jobs, const std::function<int(int)>& task,
   const std::function<void(int finishedTasks)>& finished);
 
+/// Prints an error, unless one of the same `cause` was printed by a worker of the pool: RunWorkers() prints the
+/// number of those.
+void PrintError(const std::string& error, const std::string& cause);
+
 /// Runs `body`. Converts exceptions other than Cancelled, and a failed write to standard output, to
 /// one line and an exit status.
 int RunGuarded(const std::function<int()>& body);

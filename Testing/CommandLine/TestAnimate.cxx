@@ -172,6 +172,20 @@ TEST(Animate, MakesTheOtherImagesIfOneCannotBeWritten)
   }
 }
 
+TEST(Animate, ReportsAnErrorOfAllImagesOnce)
+{
+  const Folder folder("damaged");
+  WriteText(folder / "mesh.stl", "hello\n");
+  const ProgramResult outcome = RunProgram({ "animate", folder / "mesh.stl", "--frames", "20",
+    "--jobs", "2", "--output", folder / "{frame}.png" });
+  EXPECT_EQ(outcome.Status, 2);
+  EXPECT_EQ(CountLines(outcome.Errors), 2) << outcome.Errors;
+  EXPECT_NE(outcome.Errors.find("mesh.stl: the file is damaged"), std::string::npos)
+    << outcome.Errors;
+  EXPECT_NE(outcome.Errors.find("the same error occurred 2 more times"), std::string::npos)
+    << outcome.Errors;
+}
+
 TEST(Animate, CreatesTheFolderOfEachImage)
 {
   const Folder folder("folders");

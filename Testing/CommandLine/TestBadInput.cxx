@@ -126,6 +126,8 @@ const Row Rows[] = {
   { "NegativeResolution", 2, Square, "stl", { "--resolution", "-5,5" }, { "--resolution" } },
   { "FractionalResolution", 2, Square, "stl", { "--resolution", "9.5,5" },
     { "--resolution", "two integers" } },
+  { "ExponentOfAnInteger", 2, Square, "stl", { "--threads", "1e1" },
+    { "--threads", "1e1", "an integer" } },
   { "AbsurdSide", 2, Square, "stl", { "--resolution", "65536,1" }, { "--resolution", "65535" } },
   { "MorePixelsThanMemory", 2, Square, "stl", { "--resolution", "65535,65535" },
     { "--resolution", "memory", "smaller" } },
@@ -170,6 +172,7 @@ const Row Rows[] = {
     { "meshes are too large" } },
   { "WideAngle", 2, Square, "stl", { "--camera-view-angle", "180" }, { "--camera-view-angle" } },
   { "ColorBeyondOne", 2, Square, "stl", { "--color", "255,0,0" }, { "--color", "from 0 to 1" } },
+  { "UnknownColor", 2, Square, "stl", { "--color", "mud" }, { "--color", "mud", "#RRGGBB" } },
   { "NegativeOpacity", 2, Square, "stl", { "--opacity", "-1" }, { "--opacity" } },
   { "NegativeThreads", 2, Square, "stl", { "--threads", "-2" }, { "--threads" } },
   { "UnknownColormap", 2, Square, "stl", { "--scalar-coloring", "--colormap", "mud" },
@@ -213,6 +216,11 @@ const Row Rows[] = {
   { "ObjIndexOutOfRange", 2, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "obj", {}, { "mesh.obj" } },
   { "CellWithTooFewCorners", 2, VtuWithShortHexahedron, "vtu", {},
     { "mesh.vtu", "damaged", "3 corners instead of 8" } },
+  { "UnknownTypeOfCell", 2,
+    "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 float\n0 0 0 1 0 0 "
+    "0 1 0\n"
+    "CELLS 2 8\n3 0 1 2\n3 0 1 2\nCELL_TYPES 2\n5\n99\n",
+    "vtk", {}, { "mesh.vtk", "damaged", "cell 1 has the unknown type 99" } },
   { "NoMesh", 2, "# vtk DataFile Version 3.0\nempty\nASCII\nDATASET POLYDATA\nPOINTS 0 float\n",
     "vtk", {}, { "mesh.vtk", "empty" } },
 

@@ -208,6 +208,25 @@ TEST(Bake, RequiresPolygonsOrPointRadius)
   EXPECT_TRUE(ValuesIn<vtkXMLPolyDataReader>(folder / "baked.vtp"));
 }
 
+TEST(Bake, WritesStripsToPlyAndReportsLines)
+{
+  const Folder folder("strips");
+  WriteText(folder / "a.vtk",
+    "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 6 float\n"
+    "0 0 0 0 1 0 1 0 0 1 1 0 2 0 0 2 1 0\nLINES 1 3\n2 0 5\n"
+    "POLYGONS 1 4\n3 2 4 3\nTRIANGLE_STRIPS 1 5\n4 0 1 2 3\n");
+  const ProgramResult outcome =
+    RunProgram({ "bake", folder / "a.vtk", "--output", folder / "a.ply" });
+  EXPECT_EQ(outcome.Status, 0);
+  EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+  EXPECT_NE(outcome.Errors.find("no lines: 1 were left out"), std::string::npos) << outcome.Errors;
+  vtkNew<vtkPLYReader> reader;
+  reader->SetFileName((folder / "a.ply").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 6);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPolys(), 3);
+}
+
 TEST(Bake, WritesColorsOfRequestedQuantity)
 {
   const Folder folder("bakeother");

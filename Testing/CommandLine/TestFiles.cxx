@@ -85,12 +85,13 @@ TEST(FullDisk, LeavesNoPartialFrame)
   WriteText(folder / "square.stl", SquareStl());
   const std::vector<std::string> before = folder.List();
   const ProgramResult outcome = RunOnFullDisk(60,
-    "animate " + Quote(folder / "square.stl") + " --frames 2 --resolution 40,30" + " --output " +
+    "animate " + Quote(folder / "square.stl") + " --frames 20 --resolution 40,30 --output " +
       Quote(folder / "{frame}.tif"));
   EXPECT_EQ(outcome.Status, 2) << outcome.Errors;
   EXPECT_EQ(CountLines(outcome.Errors), 2) << outcome.Errors;
-  EXPECT_NE(outcome.Errors.find("0001.tif: cannot be written"), std::string::npos)
+  EXPECT_NE(outcome.Errors.find("0000.tif: cannot be written"), std::string::npos)
     << outcome.Errors;
+  EXPECT_NE(outcome.Errors.find("19 more times"), std::string::npos) << outcome.Errors;
   EXPECT_EQ(folder.List(), before);
 }
 

@@ -95,6 +95,20 @@ TEST(Gltf, MissingTexturesCauseOneWarning)
   }
 }
 
+TEST(Gltf, MissingFoldersOfTemporaryFilesAreReported)
+{
+  const Folder folder("temporary");
+  const Wedge wedge;
+  Document root = MakeGltf(wedge.Points, wedge.Normals);
+  root["extensionsRequired"] = { "KHR_materials_unlit" };
+  WriteText(folder / "a.gltf", root.dump());
+  const ProgramResult outcome =
+    RunProgram({ "render", folder / "a.gltf", "--output", folder / "a.png" }, "TMPDIR=/nowhere");
+  EXPECT_EQ(outcome.Status, 2);
+  EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+  EXPECT_NE(outcome.Errors.find("set TMPDIR to a folder"), std::string::npos) << outcome.Errors;
+}
+
 TEST(Gltf, SparseAccessorsAreRead)
 {
   const Folder folder("sparse");

@@ -330,6 +330,53 @@ TEST(Series, ReportsInvalidSelections)
   EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
 }
 
+TEST(Series, XdmfMeshesAreIncludedByNamespacesOfEitherScheme)
+{
+  if (RunProgram({ "list" }).Output.find("vtkXdmfReader") == std::string::npos)
+  {
+    GTEST_SKIP() << "VTK has no XDMF";
+  }
+  const Folder folder("xinclude");
+  const auto data = [](const std::string& dimensions, const std::string& file) {
+    return "<DataItem Format=\"Binary\" Dimensions=\"" + dimensions + "\">\n" + file +
+      "</DataItem>";
+  };
+  const float points[] = { -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0 };
+  WriteText(folder / "p.bin", std::string(reinterpret_cast<const char*>(points), sizeof(points)));
+  for (const std::string scheme : { "http", "https" })
+  {
+    std::string text = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\" xmlns:xi=\"" + scheme +
+      "://www.w3.org/2001/XInclude\"><Domain><Grid Name=\"mesh\" GridType=\"Uniform\">"
+      "<Topology TopologyType=\"Quadrilateral\" NumberOfElements=\"1\"><DataItem Dimensions=\"4\" "
+      "Format=\"XML\">0 1 2 3</DataItem></Topology><Geometry GeometryType=\"XYZ\">" +
+      data("4 3", "p.bin") +
+      "</Geometry></Grid>"
+      "<Grid Name=\"T\" GridType=\"Collection\" CollectionType=\"Temporal\">";
+    for (int step = 0; step < 2; ++step)
+    {
+      const std::string name = "T" + std::to_string(step) + ".bin";
+      const std::vector<float> values(4, 1.f + step);
+      WriteText(folder / name, std::string(reinterpret_cast<const char*>(values.data()), 16));
+      text += "<Grid Name=\"T\" GridType=\"Uniform\"><xi:include xpointer=\"xpointer("
+              "/Xdmf/Domain/Grid[@GridType='Uniform'][1]/*[self::Topology or self::Geometry])\"/>"
+              "<Time Value=\"" +
+        std::to_string(step) + "\"/><Attribute Name=\"T\" Center=\"Node\">" + data("4", name) +
+        "</Attribute></Grid>";
+    }
+    WriteText(folder / scheme + ".xdmf", text + "</Grid></Domain></Xdmf>\n");
+    Make(View({ "render", folder / scheme + ".xdmf", "--time", "1", "--output",
+      folder / scheme + ".png" }));
+  }
+  WriteText(folder / "still.vtk", SquareWithValue(0.0, 2.0));
+  Make(View({ "render", folder / "still.vtk", "--output", folder / "still.png" }));
+  EXPECT_EQ(Compare(folder / "http.png", folder / "still.png"), 0.0);
+  EXPECT_EQ(Compare(folder / "https.png", folder / "still.png"), 0.0);
+
+  std::filesystem::remove(folder / "T1.bin");
+  ExpectRefused({ "render", folder / "https.xdmf", "--time", "1", "--output", folder / "a.png" },
+    "its data in 'T1.bin' are missing");
+}
+
 TEST(Series, MissingFileOfStepFailsOnlyItsImage)
 {
   const Folder folder("missing");
