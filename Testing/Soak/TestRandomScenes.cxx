@@ -32,6 +32,8 @@ TEST_P(RandomScenes, AreDrawnWithinTheToleranceAndLikeVTK)
   const CastImage image = CastScene(scene, false);
   EXPECT_TRUE(image.Finite);
   EXPECT_EQ(image.Values.Colors, CastScene(scene, false, 2).Values.Colors);
+  const CastImage plain = CastScene(scene, true);
+#ifndef __SANITIZE_ADDRESS__ // which checks the code, not numbers
   int misjudged = 0;
   const penumbra::StratifiedReference reference = DrawReference(scene, 1);
   for (const auto& tile : penumbra::CompareTiles(image.Values, reference, ImageSide))
@@ -40,11 +42,11 @@ TEST_P(RandomScenes, AreDrawnWithinTheToleranceAndLikeVTK)
       scene.ComparesTiles && tile.Error > 2.0 * TileLimit(scene) && tile.Estimate < tile.Error;
   }
   EXPECT_EQ(misjudged, 0);
-  const CastImage plain = CastScene(scene, true);
   if (scene.ComparesWithVTK && plain.Warnings.empty())
   {
     EXPECT_LT(CountDifferentBlocks(plain.Values.Colors, DrawWithVTK(scene)), 2);
   }
+#endif
   vtkOutputWindow::SetInstance(nullptr);
 }
 

@@ -88,6 +88,10 @@ std::vector<int> Draw(const View& view)
   {
     scene.AddOcclusionPass(0.5)->SetStrength(view.Strength);
     scene.Pass->SetKernelName("march");
+    if (view.Strength == 0.0)
+    {
+      scene.Pass->SetTolerance(0.1); // It need not converge, because it is not visible.
+    }
   }
   if (view.StereoType)
   {
