@@ -10,6 +10,7 @@
 #include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
+#include "Processes/OptionNames.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -34,6 +35,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace penumbra
 {
@@ -251,6 +253,7 @@ RenderResult RasterRenderer::Render(const ProgressListener& progress)
   const int width = this->Options.Resolution[0];
   const int height = this->Options.Resolution[1];
   TakeErrors();
+  TakeWarnings();
   for (int frame = 0; frame < std::max(this->Options.Frames, 1); ++frame)
   {
     this->Window->Render();
@@ -272,6 +275,10 @@ RenderResult RasterRenderer::Render(const ProgressListener& progress)
 
   RenderResult result;
   result.Warnings = this->Warnings;
+  for (std::string& warning : TakeWarnings())
+  {
+    result.Warnings.push_back(NameOptions(std::move(warning)));
+  }
   result.Image = ToFloats(bytes, width, height, this->Options.Background);
   result.Statistics = { { "Samples/PerPixel", this->Window->GetMultiSamples() } };
   result.Tolerance = this->Options.Tolerance;

@@ -7,6 +7,7 @@
 #include "vtkSmartPointer.h"
 
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <mutex>
 #include <new>
@@ -21,8 +22,21 @@ namespace
 
 std::string Path;
 int Terminal = STDERR_FILENO;
-std::mutex ErrorsMutex;
+std::mutex MessagesMutex;
 std::vector<std::string> Errors;
+std::vector<std::string> Warnings; // of Penumbra's classes
+
+void Record(const char* text, std::vector<std::string>& messages)
+{
+  const std::lock_guard<std::mutex> lock(MessagesMutex);
+  messages.push_back(penumbra::StripMessagePrefix(text));
+}
+
+std::vector<std::string> Take(std::vector<std::string>& messages)
+{
+  const std::lock_guard<std::mutex> lock(MessagesMutex);
+  return std::exchange(messages, {});
+}
 
 class LogWindow : public vtkOutputWindow
 {
@@ -38,13 +52,17 @@ public:
   }
   void DisplayErrorText(const char* text) override
   {
+    Record(text, Errors);
+    this->DisplayText(text);
+  }
+  void DisplayWarningText(const char* text) override
+  {
+    if (std::strstr(text, "\nvtkPenumbra"))
     {
-      const std::lock_guard<std::mutex> lock(ErrorsMutex);
-      Errors.push_back(penumbra::StripMessagePrefix(text));
+      Record(text, Warnings);
     }
     this->DisplayText(text);
   }
-  void DisplayWarningText(const char* text) override { this->DisplayText(text); }
   void DisplayGenericWarningText(const char* text) override { this->DisplayText(text); }
   void DisplayDebugText(const char* text) override { this->DisplayText(text); }
 };
@@ -148,10 +166,12 @@ std::string LogPath()
 
 std::vector<std::string> TakeErrors()
 {
-  const std::lock_guard<std::mutex> lock(ErrorsMutex);
-  std::vector<std::string> errors;
-  errors.swap(Errors);
-  return errors;
+  return Take(Errors);
+}
+
+std::vector<std::string> TakeWarnings()
+{
+  return Take(Warnings);
 }
 
 void RequireMemory(const std::vector<std::string>& errors)

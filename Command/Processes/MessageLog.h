@@ -23,6 +23,9 @@ std::string LogPath();
 /// Returns the errors of VTK since the last call without the prefix of VTK's macros.
 std::vector<std::string> TakeErrors();
 
+/// Returns the warnings that Penumbra's classes logged since the last call, without the prefix of VTK's macros.
+std::vector<std::string> TakeWarnings();
+
 /// Throws std::bad_alloc if an error reports a failed allocation.
 void RequireMemory(const std::vector<std::string>& errors);
 

@@ -390,6 +390,22 @@ TEST(Render, WarnsThatHeadlightsCastNoShafts)
   }
 }
 
+// A light in the middle of the scene has no shadow map.
+TEST(Render, PrintsWarningsOfPassesOnce)
+{
+  const Folder folder("pass-warning");
+  WriteText(folder / "square.stl", SquareStl());
+  const ProgramResult outcome =
+    RunProgram({ "render", folder / "square.stl", "--output", folder / "p.png", "--engine",
+      "raster", "--frames", "3", "--ambient-occlusion", "--ambient-occlusion-kernel", "march",
+      "--light-shafts", "--light-position", "0.5,0.5,0.01", "--shafts-estimator", "shadow-map" });
+  EXPECT_EQ(outcome.Status, 0);
+  EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+  const std::size_t warning = outcome.Errors.find("has no shadow map");
+  EXPECT_NE(warning, std::string::npos) << outcome.Errors;
+  EXPECT_EQ(outcome.Errors.find("has no shadow map", warning + 1), std::string::npos);
+}
+
 TEST(Render, WritesTransparentBackground)
 {
   const Folder folder("alpha");
