@@ -36,9 +36,27 @@ struct CellFragments
   std::vector<std::size_t> First; ///< cell i has the fragments [First[i], First[i + 1])
 };
 
+/// Returns the texel that shows what is in the direction of each texel: the same one, or, below the plane of the
+/// triangle, the one in the reflected direction. `geometric`: local normal of the triangle.
+std::vector<int> FindTexelsAbove(const Hemicube& cube, glm::vec3 geometric)
+{
+  // The center of the texel is above the plane: directions are at most sqrt(3) long, and a texel extends by at
+  // most sqrt(2) / side from its center.
+  const float lowest = 2.5f / static_cast<float>(cube.GetHeight());
+  std::vector<int> texels;
+  for (const glm::vec3& direction : cube.GetDirections())
+  {
+    const float height = glm::dot(direction, geometric);
+    const glm::vec3 reflected = direction + (std::max(-height, lowest) - height) * geometric;
+    texels.push_back(height < -1e-6f ? cube.FindTexel(reflected) : static_cast<int>(texels.size()));
+  }
+  return texels;
+}
+
+/// `above`: see FindTexelsAbove().
 CellFragments FindFragments(const Hemicube& cube, const Hemicube::Cells& cells,
   const TriangleClusters& clusters, const std::vector<HemicubeTexel>& texels,
-  const DistanceFalloff& falloff)
+  const std::vector<int>& above, const DistanceFalloff& falloff)
 {
   std::vector<std::uint32_t> surfaces(texels.size(), Hit::None);
   std::vector<float> falloffs(texels.size(), 1.f);
@@ -58,7 +76,8 @@ CellFragments FindFragments(const Hemicube& cube, const Hemicube::Cells& cells,
     for (std::size_t i = cells.First[cell]; i < cells.First[cell + 1]; ++i)
     {
       const Hemicube::TexelWeight& part = cells.Texels[i];
-      const std::uint32_t surface = surfaces[part.Texel];
+      const int texel = above[part.Texel];
+      const std::uint32_t surface = surfaces[texel];
       std::size_t index = fragments.First.back();
       while (index < fragments.All.size() && fragments.All[index].Surface != surface)
       {
@@ -70,11 +89,11 @@ CellFragments FindFragments(const Hemicube& cube, const Hemicube::Cells& cells,
       }
       CellFragment& fragment = fragments.All[index];
       fragment.Weight += part.Weight;
-      fragment.FalloffWeight += falloffs[part.Texel] * part.Weight;
+      fragment.FalloffWeight += falloffs[texel] * part.Weight;
       if (part.Weight > fragment.MaximumWeight)
       {
         fragment.MaximumWeight = part.Weight;
-        fragment.Texel = part.Texel;
+        fragment.Texel = texel;
       }
     }
   }
@@ -160,12 +179,14 @@ long long CubeMapGatherer::SampleHemisphere(glm::vec3 point, const TangentFrame&
   const glm::vec3 origin = point + offset * tangentFrame.GeometricNormal;
   std::vector<HemicubeTexel> texels;
   this->Counts->Triangles +=
-    this->Renderer->Draw(origin, frame, NearFraction * offset, this->GetRadius(), texels);
+    this->Renderer->Draw(origin, tangentFrame, NearFraction * offset, this->GetRadius(), texels);
   ++this->Counts->CubeMaps;
 
   const Hemicube::Cells& cells = this->FindCells(grid);
+  const std::vector<int> above =
+    FindTexelsAbove(this->Cube, glm::transpose(frame) * tangentFrame.GeometricNormal);
   const CellFragments fragments =
-    FindFragments(this->Cube, cells, this->Clusters, texels, this->GetFalloff());
+    FindFragments(this->Cube, cells, this->Clusters, texels, above, this->GetFalloff());
   std::vector<Ray> rays;
   std::vector<Hit> hits;
   for (const CellFragment& fragment : fragments.All)

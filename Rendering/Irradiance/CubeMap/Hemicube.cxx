@@ -64,6 +64,20 @@ glm::vec3 Hemicube::ComputeDirection(const Face& face, int x, int y, glm::vec2 o
   return face.Forward + (at.x - 1.f) * face.Right + (at.y + face.MinimumUp) * face.Up;
 }
 
+int Hemicube::FindTexel(glm::vec3 direction) const
+{
+  const Face& face =
+    *std::max_element(this->Faces.begin(), this->Faces.end(), [&](const Face& a, const Face& b) {
+      return glm::dot(a.Forward, direction) < glm::dot(b.Forward, direction);
+    });
+  const glm::vec3 w = direction / glm::dot(face.Forward, direction);
+  const float scale = .5f * static_cast<float>(this->Side);
+  const int x = static_cast<int>(scale * (glm::dot(face.Right, w) + 1.f));
+  const int y = static_cast<int>(scale * (glm::dot(face.Up, w) - face.MinimumUp));
+  return (face.Y + std::clamp(y, 0, face.Height - 1)) * this->GetWidth() + face.X +
+    std::clamp(x, 0, face.Width - 1);
+}
+
 Hemicube::Cells Hemicube::MapToGrid(const HemisphereGrid& grid) const
 {
   std::vector<std::vector<TexelWeight>> weights(grid.Cells());

@@ -46,6 +46,9 @@ public:
   /// Local direction of each texel center; its component along Forward of its face is 1.
   const std::vector<glm::vec3>& GetDirections() const { return this->Directions; }
 
+  /// Returns the texel in a local direction, whose z is not negative.
+  int FindTexel(glm::vec3 direction) const;
+
   /// A texel and the fraction of a cell that it covers, weighted by the cosine.
   struct TexelWeight
   {

@@ -120,8 +120,8 @@ void HemicubeRenderer::Open(const Scene& scene)
   this->OpenGL = std::move(graphics);
 }
 
-long long HemicubeRenderer::Draw(
-  glm::vec3 eye, const glm::mat3& frame, float near, float far, std::vector<HemicubeTexel>& texels)
+long long HemicubeRenderer::Draw(glm::vec3 eye, const TangentFrame& frame, float near, float far,
+  std::vector<HemicubeTexel>& texels)
 {
   texels.resize(this->Cube.GetDirections().size());
   long long triangles = 0;
@@ -142,14 +142,17 @@ long long HemicubeRenderer::Draw(
     state->vtkglClearDepth(0.0);
     state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     graphics.Context->GetShaderCache()->ReadyShaderProgram(graphics.Program);
-    graphics.Program->SetUniform3f("normal", &frame[2][0]);
+    graphics.Program->SetUniform3f("normal", &frame.Axes[2][0]);
+    graphics.Program->SetUniform3f("geometricNormal", &frame.GeometricNormal[0]);
     graphics.Attributes->Bind();
     glEnable(GL_CLIP_DISTANCE0);
+    glEnable(GL_CLIP_DISTANCE1);
     for (const Hemicube::Face& face : this->Cube.GetFaces())
     {
-      this->DrawFace(face, eye, frame, near, far, triangles);
+      this->DrawFace(face, eye, frame.Axes, near, far, triangles);
     }
     glDisable(GL_CLIP_DISTANCE0);
+    glDisable(GL_CLIP_DISTANCE1);
     graphics.Attributes->Release();
     glReadPixels(0, 0, width, height, GL_RG, GL_FLOAT, texels.data());
   });

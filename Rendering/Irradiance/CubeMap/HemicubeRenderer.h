@@ -6,6 +6,7 @@
 #ifndef penumbra_HemicubeRenderer_h
 #define penumbra_HemicubeRenderer_h
 
+#include "Gathering/Gatherer.h"
 #include "Hemicube.h"
 #include "OpenGLThread.h"
 #include "TriangleClusters.h"
@@ -31,10 +32,10 @@ public:
   HemicubeRenderer(const Scene& scene, const TriangleClusters& clusters, const Hemicube& cube);
   ~HemicubeRenderer();
 
-  /// Renders the triangles at distances in [near, far] from `eye` in the hemisphere around the
-  /// third axis of `frame`. Returns the number of rendered triangles. Thread-safe; concurrent calls
-  /// are serialized.
-  long long Draw(glm::vec3 eye, const glm::mat3& frame, float near, float far,
+  /// Renders the triangles at distances in [near, far] from `eye`, above the plane through `eye` and in the
+  /// hemisphere around the third axis of `frame`. Returns the number of rendered triangles. Thread-safe;
+  /// concurrent calls are serialized.
+  long long Draw(glm::vec3 eye, const TangentFrame& frame, float near, float far,
     std::vector<HemicubeTexel>& texels);
 
 private:

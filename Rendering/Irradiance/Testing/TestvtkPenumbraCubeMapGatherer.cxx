@@ -41,14 +41,18 @@ constexpr float Infinity = std::numeric_limits<float>::infinity();
 constexpr int Side = 32;
 constexpr unsigned int Rings = 64; ///< resolution of spheres
 
-HemisphereEstimate Estimate(const Gatherer& gatherer, glm::vec3 point, glm::vec3 normal)
+HemisphereEstimate Estimate(const Gatherer& gatherer, glm::vec3 point, const TangentFrame& frame)
 {
   const HemisphereGrid& grid = HemisphereGrid::Get(Side);
-  const glm::mat3 frame = FrameFromNormal(normal);
   std::vector<glm::vec3> directions;
   std::vector<HemisphereSample> samples;
   gatherer.SampleHemisphere(point, frame, grid, 1, directions, samples);
-  return EstimateHemisphere(grid, frame, directions, samples, gatherer.GetFalloff());
+  return EstimateHemisphere(grid, frame.Axes, directions, samples, gatherer.GetFalloff());
+}
+
+HemisphereEstimate Estimate(const Gatherer& gatherer, glm::vec3 point, glm::vec3 normal)
+{
+  return Estimate(gatherer, point, TangentFrame(FrameFromNormal(normal)));
 }
 
 /// Gathers occlusion of one scene by rays and by cube maps.
@@ -211,6 +215,28 @@ TEST(CubeMapGatherer, ReturnsOneHalfAtTheFootOfAWall)
   AddRectangle(scene, { -1000.f, 0.f, 0.f }, { 2000.f, 0.f, 0.f }, { 0.f, 0.f, 1000.f });
   const GathererPair both(scene);
   EXPECT_NEAR(both.Occlusion({ 0.f, -.01f, 0.f }), .5f, .005f);
+}
+
+// Directions below the plane of the triangle show what it reflects, as for rays: all that are toward the wall are
+// occluded, (1 + cos a) / 2 of the light if the interpolated normal forms the angle a with the normal of the wall.
+TEST(CubeMapGatherer, MatchesTheClosedFormWithInterpolatedNormals)
+{
+  Scene open;
+  AddFloor(open, 1000.f);
+  Scene atWall = open;
+  AddRectangle(atWall, { -1000.f, 0.f, 0.f }, { 2000.f, 0.f, 0.f }, { 0.f, 0.f, 1000.f });
+  const GathererPair onFloor(open);
+  const GathererPair before(atWall);
+  const glm::vec3 point(3.f, -.1f, 0.f);
+  for (const float tilt : { -1.2f, -.5f, -.1f, .01f, .3f, .8f, 1.3f })
+  {
+    const glm::vec3 normal(0.f, std::sin(tilt), std::cos(tilt));
+    const TangentFrame frame(FrameFromNormal(normal), { 0.f, 0.f, 1.f });
+    EXPECT_EQ(Estimate(*onFloor.ByCubeMap, point, frame).Mean.x, 0.f) << tilt;
+    const double reference = .5 * (1.0 + std::sin(tilt));
+    EXPECT_NEAR(Estimate(before.ByRays, point, frame).Mean.x, reference, .01) << tilt;
+    EXPECT_NEAR(Estimate(*before.ByCubeMap, point, frame).Mean.x, reference, .01) << tilt;
+  }
 }
 
 TEST(CubeMapGatherer, MatchesTheClosedFormNearASphere)

@@ -12,8 +12,9 @@ uniform vec3 up; // scaled so that the face fills its viewport
 uniform vec3 forward;
 uniform float near;
 uniform vec3 normal; // axis of the hemicube
+uniform vec3 geometricNormal; // of the triangle at `eye`
 
-// Smallest height over the plane of `eye`, as a fraction of the distance. Heights are rounded by less. Without it,
+// Smallest height over the two planes of `eye`, as a fraction of the distance. Heights are rounded by less. Without it,
 // the plane around `eye` could be rounded above `eye` and, clipped at the near plane, cover directions far from it.
 const float lowest = 2.5e-7;
 
@@ -25,5 +26,7 @@ void main()
   vec3 offset = vertex.xyz - eye;
   float depth = dot(forward, offset);
   gl_Position = vec4(dot(right, offset), dot(up, offset), depth - 2.0 * near, depth);
-  gl_ClipDistance[0] = dot(normal, offset) - lowest * length(offset);
+  float least = lowest * length(offset);
+  gl_ClipDistance[0] = dot(normal, offset) - least;
+  gl_ClipDistance[1] = dot(geometricNormal, offset) - least;
 }
