@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 using namespace penumbra_testing;
 
@@ -109,6 +110,27 @@ TEST(TracedEstimator, MatchesTheClosedFormUnderASphere)
   {
     const double reference = 1.5 / std::pow(1.5 * 1.5 + rho * rho, 1.5);
     EXPECT_NEAR(scene.At("AmbientOcclusion", { rho, 0, 0 }), reference, .015) << rho;
+  }
+}
+
+// From its center, a quarter of a sphere at least is behind the camera. The chord at the angle a to the normal of
+// a unit sphere is 2 cos(a) long, so that a radius of R blocks (R / 2)^2 of the light.
+TEST(TracedEstimator, MatchesTheClosedFormAroundTheCamera)
+{
+  for (const double radius : { .8, 1.4, 3.0 })
+  {
+    OcclusionScene scene(64, 48);
+    scene.AddSphere({ 0, 0, 0 }, 1.0);
+    AddTracedPass(scene, radius);
+    const double reference = std::min(std::pow(radius / 2.0, 2.0), 1.0);
+    for (const double x : { 1.0, -1.0 })
+    {
+      scene.SetCamera({ 0, 0, 0 }, { x, .1, .1 });
+      scene.Window->Render();
+      const std::vector<float> image = scene.Array("AmbientOcclusion");
+      const double mean = std::accumulate(image.begin(), image.end(), 0.0) / image.size();
+      EXPECT_NEAR(mean, reference, .01) << radius << " " << x;
+    }
   }
 }
 

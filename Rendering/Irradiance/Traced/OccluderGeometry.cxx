@@ -166,6 +166,8 @@ bool OccluderGeometry::Update(vtkRenderer* renderer, double radius)
   const int* size = renderer->GetSize();
   options.Resolution[0] = std::max(size[0], 1);
   options.Resolution[1] = std::max(size[1], 1);
+  // What the camera clips still occludes, and the trees are kept when the camera turns.
+  options.ClipToRange = false;
   this->Rays.reset();
   this->Meshes = std::make_unique<Scene>(ExtractScene(renderer, options));
   this->Missing = FindMissing(renderer); // after extraction, which updates the pipelines
