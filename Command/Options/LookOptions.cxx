@@ -24,7 +24,7 @@ const std::vector<Look>& Looks()
       { { -35.0, 40.0, { 0.87, 0.86, 0.84 } }, { 45.0, 8.0, { 0.28, 0.30, 0.33 } },
         { 165.0, 35.0, { 0.25, 0.25, 0.25 } } },
       30.0, 20.0 },
-    { "outdoor", { { -50.0, 38.0, { 0.86, 0.80, 0.70 } } }, 30.0, 24.0 },
+    { "outdoor", { { -50.0, 38.0, { 0.82, 0.76, 0.67 } } }, 30.0, 24.0 },
     { "figure", { { -30.0, 35.0, { 0.82, 0.82, 0.82 } }, { 35.0, 5.0, { 0.33, 0.33, 0.33 } } },
       30.0, 22.0 },
     { "clay", { { -30.0, 40.0, { 0.98, 0.97, 0.95 } }, { 50.0, 5.0, { 0.32, 0.33, 0.35 } } }, 30.0,
@@ -104,7 +104,7 @@ void ApplyLook(const CommandLine& app, RenderOptions& options)
       defaults.Set("--light-angle", options.LightAngle, SunAngle);
       defaults.Set("--indirect", options.Light.Indirect, true);
       defaults.Set(
-        "--environment-color", options.Light.EnvironmentColor, Vector3{ 0.42, 0.5, 0.62 });
+        "--environment-color", options.Light.EnvironmentColor, Vector3{ 0.32, 0.42, 0.58 });
       defaults.Set("--bounces", options.Light.Bounces, 2);
     }
     else
