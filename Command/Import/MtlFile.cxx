@@ -103,6 +103,9 @@ bool ReadMtl(const std::string& path, MtlMaterials& materials)
     return false;
   }
   TextScanner text(file.Begin(), file.End(), '#');
+  // vtkOBJExporter writes the opacity as Tr.
+  const std::string head(file.Begin(), std::min<std::size_t>(file.Size(), 80));
+  const bool isByVTK = head.find("written by the visualization toolkit") != head.npos;
   MtlMaterial none;
   MtlMaterial* material = &none;
   while (!text.AtEnd())
@@ -135,7 +138,8 @@ bool ReadMtl(const std::string& path, MtlMaterials& materials)
     }
     else if (keyword == "Tr")
     {
-      material->Opacity = 1.0 - std::clamp(ParseValue(text, 0.0), 0.0, 1.0);
+      const double value = std::clamp(ParseValue(text, 0.0), 0.0, 1.0);
+      material->Opacity = isByVTK ? value : 1.0 - value;
     }
     else if (keyword == "illum")
     {

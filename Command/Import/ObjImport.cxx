@@ -36,6 +36,7 @@
 #include <filesystem>
 #include <map>
 #include <new>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -179,6 +180,10 @@ public:
     const auto found = this->Materials.find(name);
     if (found == this->Materials.end())
     {
+      if (this->Missing.insert(name).second)
+      {
+        this->Result.Warnings.push_back("its material '" + name + "' is in none of its MTL files");
+      }
       return nullptr;
     }
     const MtlMaterial& material = found->second;
@@ -270,6 +275,7 @@ private:
   const fs::path Folder;
   Appearance& Result;
   MtlMaterials Materials;
+  std::set<std::string> Missing; ///< materials that were reported
   std::map<std::string, vtkSmartPointer<vtkTexture>> Textures;
 };
 

@@ -5,6 +5,7 @@
 #include "Appearance.h"
 
 #include "CollectionItems.h"
+#include "Files/MappedFile.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 #include "SizeOnlyWindow.h"
@@ -14,6 +15,7 @@
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkCamera.h"
+#include "vtkDataArray.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
@@ -28,6 +30,8 @@
 #include "vtkTransformFilter.h"
 #include "vtkVRMLImporter.h"
 
+#include <string_view>
+
 namespace penumbra
 {
 
@@ -38,6 +42,12 @@ namespace
 void RemoveOtherArrays(vtkPolyData* mesh)
 {
   vtkPointData* const arrays = mesh->GetPointData();
+  vtkDataArray* const colors = arrays->GetScalars();
+  if (colors && colors->GetNumberOfTuples() == mesh->GetNumberOfPoints() + 1)
+  {
+    colors->SetNumberOfTuples(
+      mesh->GetNumberOfPoints()); // That importer counts one color of vertices too many.
+  }
   for (int i = arrays->GetNumberOfArrays() - 1; i >= 0; --i)
   {
     if (arrays->GetAbstractArray(i)->GetNumberOfTuples() != mesh->GetNumberOfPoints())
@@ -144,7 +154,19 @@ vtkSmartPointer<vtkDataObject> ImportVrml(
 {
   vtkNew<vtkVRMLImporter> importer;
   importer->SetFileName(path.c_str());
-  return Import(path, "VRML 2", importer, appearance);
+  const vtkSmartPointer<vtkDataObject> data = Import(path, "VRML 2", importer, appearance);
+  for (const vtkSmartPointer<vtkActor>& actor : appearance.Actors)
+  {
+    actor->GetMapper()->UseLookupTableScalarRangeOn(); // Its table has the colors of the vertices.
+  }
+  const MappedFile file(path);
+  const std::string_view text(file.Begin(), file.Size());
+  if (text.find("colorIndex") != text.npos || text.find("colorPerVertex FALSE") != text.npos)
+  {
+    appearance.Warnings.push_back(
+      "colors of polygons, and of vertices by colorIndex, are not read");
+  }
+  return data;
 }
 
 vtkSmartPointer<vtkDataObject> Read3ds(const std::string& path)

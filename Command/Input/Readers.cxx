@@ -113,6 +113,17 @@ Algorithm MakeCgns(const std::string& path)
 }
 #endif
 
+Algorithm MakeFoam(const std::string& path)
+{
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (!std::filesystem::exists(folder / "constant") &&
+    std::filesystem::exists(folder / "processor0"))
+  {
+    throw CommandError(BadInput, path + ": the case is decomposed; run reconstructPar");
+  }
+  return Make<vtkOpenFOAMReader>(path);
+}
+
 // The steps of a series are read by the readers of their files, see ReadFileSeries().
 Algorithm MakeSeries(const std::string& path)
 {
@@ -158,7 +169,7 @@ std::vector<ReaderRow> MakeTable()
 #endif
     { { ".e", ".ex2", ".exo", ".exii", ".g" }, "Exodus II", "vtkExodusIIReader", MakeExodus },
     { { ".case", ".encas" }, "EnSight", "vtkGenericEnSightReader", MakeEnSight },
-    { { ".foam" }, "OpenFOAM", PENUMBRA_READER(vtkOpenFOAMReader) },
+    { { ".foam" }, "OpenFOAM", "vtkOpenFOAMReader", MakeFoam },
     { { ".cas" }, "Fluent", PENUMBRA_READER(vtkFLUENTReader) },
 #ifdef PENUMBRA_HAS_IOCGNSReader
     { { ".cgns" }, "CGNS", "vtkCGNSReader", MakeCgns },

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <ostream>
 
 using namespace penumbra_testing;
@@ -375,6 +376,18 @@ TEST(Folders, AreNoFiles)
   EXPECT_EQ(outcome.Status, 2);
   EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
   EXPECT_NE(outcome.Errors.find("the path is a folder"), std::string::npos) << outcome.Errors;
+}
+
+TEST(Folders, OfDecomposedCasesAreNamed)
+{
+  const Folder folder("decomposed");
+  std::filesystem::create_directories(folder / "processor0/constant");
+  WriteText(folder / "a.foam", "");
+  const ProgramResult outcome =
+    RunProgram({ "render", folder / "a.foam", "--output", folder / "image.png" });
+  EXPECT_EQ(outcome.Status, 2);
+  EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+  EXPECT_NE(outcome.Errors.find("reconstructPar"), std::string::npos) << outcome.Errors;
 }
 
 TEST(Blocks, WithoutSurfacesCauseOneWarning)
