@@ -40,7 +40,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <utility>
 
 namespace penumbra
 {

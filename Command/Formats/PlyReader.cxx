@@ -4,8 +4,7 @@
 
 #include "Files/MappedFile.h"
 #include "MeshArrays.h"
-#include "PlyBody.h"
-#include "PlyHeader.h"
+#include "PlyFile.h"
 #include "Processes/CommandError.h"
 
 #include "vtkCellArray.h"
@@ -15,10 +14,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-#include <array>
 #include <map>
-#include <utility>
 
 namespace penumbra
 {

@@ -14,7 +14,6 @@
 #include "vtkPNGWriter.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <filesystem>
 #include <fstream>
 
 namespace penumbra

@@ -11,7 +11,6 @@
 #include "vtkXMLDataElement.h"
 #include "vtkXMLUtilities.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>

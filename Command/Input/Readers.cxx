@@ -57,7 +57,6 @@
 #include "vtkXdmfReader.h"
 #endif
 
-#include <algorithm>
 #include <filesystem>
 
 namespace penumbra

@@ -32,7 +32,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <new>
 #include <numeric>
 #include <set>

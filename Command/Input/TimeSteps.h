@@ -6,7 +6,6 @@
 #define penumbra_TimeSteps_h
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 

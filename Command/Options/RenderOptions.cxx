@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderOptions.h"
 
-#include "Colormaps.h"
 #include "Input/EnvironmentFile.h"
 #include "Input/ReadLimit.h"
 #include "LookOptions.h"
@@ -12,7 +11,6 @@
 
 #include "vtkPenumbraKernels.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace penumbra
@@ -165,50 +163,6 @@ void DeclareAppearance(const CommandLine& app, RenderOptions& options)
     .Default("");
 }
 
-void DeclareColoring(const CommandLine& app, ColoringOptions& coloring)
-{
-  app.SetGroup("Coloring by data");
-  app.AddFlag("-s,--scalar-coloring", coloring.Enabled, "Color by an array of the file");
-  app.AddText("--coloring-array", coloring.Array, "NAME",
-    "Name of the array; implies --scalar-coloring; default: the file's scalars, else its first "
-    "array");
-  AddInteger(app, "--coloring-component,--comp", coloring.Component,
-    "Component of the array; -1: magnitude, -2: the values are colors", -2, 1000000);
-  app.AddFlag("-y", coloring.ValuesAreColors, "The values are colors: --coloring-component -2");
-  const auto storeRange = [&coloring](const std::string& text) {
-    coloring.RangeOfAllSteps = text == "all";
-    coloring.Range.clear();
-    if (coloring.RangeOfAllSteps)
-    {
-      return;
-    }
-    coloring.Range = ParseNumbers("--coloring-range", text, 2, 2, {});
-    if (coloring.Range[0] > coloring.Range[1])
-    {
-      throw InvalidValue("--coloring-range", "'" + text + "' has a minimum above its maximum");
-    }
-  };
-  app
-    .AddParsed("--coloring-range,--range", storeRange,
-      "Values mapped to the first and the last color; all: the data range over all time steps; "
-      "default: the data range")
-    .TypeName("A,B|all");
-  app.AddFlag("-c,--coloring-by-cells,--cells", coloring.ByCells,
-    "Use a cell array instead of a point array");
-  const auto storeColormap = [&coloring](const std::string& text) {
-    coloring.Colormap = FindColormap(text);
-    coloring.HasColormap = true;
-  };
-  app
-    .AddParsed("--colormap,--colormap-file", storeColormap,
-      "Colormap, or an image whose lowest row has its colors; without this option, colors that the "
-      "file gives to its values are used")
-    .TypeName(Join(ColormapNames(), "|") + "|FILE")
-    .Default(coloring.Colormap);
-  app.AddFlag("-b,--coloring-scalar-bar,--bar", coloring.ScalarBar, "Draw the scalar bar");
-  DeclareScalarBarOptions(app, coloring.Bar);
-}
-
 void DeclareText(const CommandLine& app, RenderOptions& options)
 {
   app.SetGroup("Time");
@@ -302,7 +256,7 @@ void DeclareRenderOptions(const CommandLine& app, RenderOptions& options)
   DeclareEngine(app, options);
   DeclareCamera(app, options.Camera);
   DeclareAppearance(app, options);
-  DeclareColoring(app, options.Coloring);
+  DeclareColoringOptions(app, options.Coloring);
   DeclareCutOptions(app, options.Cuts);
   DeclareTimeOptions(app, options.Time);
   DeclareText(app, options);

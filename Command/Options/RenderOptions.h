@@ -5,15 +5,14 @@
 #ifndef penumbra_RenderOptions_h
 #define penumbra_RenderOptions_h
 
+#include "ColoringOptions.h"
 #include "CutOptions.h"
 #include "Parsing/Arguments.h"
-#include "ScalarBarOptions.h"
 #include "ShaftOptions.h"
 #include "SharedOptions.h"
 #include "TimeOptions.h"
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,21 +36,6 @@ struct CameraOptions
   bool Orthographic = false;
   double ParallelScale = Unset;
   int Index = -1; ///< of the cameras of the files; -1: none of them
-};
-
-struct ColoringOptions
-{
-  bool Enabled = false;
-  std::string Array;            ///< empty: the file's scalars, else its first array
-  int Component = -1;           ///< -1: the magnitude, -2: the values are colors
-  std::vector<double> Range;    ///< empty: the data range
-  bool RangeOfAllSteps = false; ///< of the data range: over all time steps
-  bool ByCells = false;
-  std::string Colormap = "viridis"; ///< name, or path of an image
-  bool HasColormap = false;         ///< --colormap is on the command line
-  bool ScalarBar = false;
-  ScalarBarOptions Bar;
-  bool ValuesAreColors = false; ///< -y: Component is -2
 };
 
 /// Indirect light and environment.

@@ -13,8 +13,8 @@
 #include "Embree/RayScene.h"
 #include "Gathering/IrradianceConstants.h"
 #include "Gathering/RayGatherer.h"
+#include "LightWarnings.h"
 #include "Records/Interreflection.h"
-#include "Shading/LightWarnings.h"
 #include "Statistics/Statistics.h"
 #include "Surface.h"
 
@@ -104,14 +104,7 @@ vtkPenumbraIrradianceFilter::~vtkPenumbraIrradianceFilter()
   this->SetOpacityArray(nullptr);
 }
 
-void vtkPenumbraIrradianceFilter::SetEnvironment(vtkPenumbraEnvironment* environment)
-{
-  if (this->Environment != environment)
-  {
-    this->Environment = environment;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkPenumbraIrradianceFilter, Environment, vtkPenumbraEnvironment);
 
 void vtkPenumbraIrradianceFilter::AddLight(double x, double y, double z, double w)
 {
@@ -130,14 +123,7 @@ vtkPenumbraEnvironment* vtkPenumbraIrradianceFilter::GetEnvironment()
   return this->Environment;
 }
 
-void vtkPenumbraIrradianceFilter::SetGatherer(vtkPenumbraGatherer* gatherer)
-{
-  if (this->Gatherer != gatherer)
-  {
-    this->Gatherer = gatherer;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkPenumbraIrradianceFilter, Gatherer, vtkPenumbraGatherer);
 
 vtkPenumbraGatherer* vtkPenumbraIrradianceFilter::GetGatherer()
 {

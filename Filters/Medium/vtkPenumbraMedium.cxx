@@ -17,14 +17,7 @@ vtkPenumbraMedium::vtkPenumbraMedium() = default;
 
 vtkPenumbraMedium::~vtkPenumbraMedium() = default;
 
-void vtkPenumbraMedium::SetDensity(vtkImageData* image)
-{
-  if (this->Density != image)
-  {
-    this->Density = image;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkPenumbraMedium, Density, vtkImageData);
 
 vtkImageData* vtkPenumbraMedium::GetDensity()
 {

@@ -12,7 +12,6 @@
 #include "Shadows/CellMarks.h"
 #include "Shadows/RankCells.h"
 #include "UnitSelection.h"
-#include "UnitTiles.h"
 
 #include "vtkImageData.h"
 
@@ -24,19 +23,6 @@ namespace penumbra
 {
 namespace
 {
-
-/// Returns the number of primitives of the scene in each tile.
-std::vector<std::uint32_t> CountByTile(const Scene& scene)
-{
-  const glm::ivec2 tiles =
-    ImageDivision::CountTiles({ scene.ViewCamera.Width, scene.ViewCamera.Height });
-  std::vector<std::uint32_t> counts(static_cast<std::size_t>(tiles.x) * tiles.y, 0);
-  for (const Surface& surface : scene.Surfaces)
-  {
-    VisitTilesOfUnits(surface, scene.ViewCamera, [&](std::uint32_t, int tile) { ++counts[tile]; });
-  }
-  return counts;
-}
 
 /// Number of rectangles for each rank. More follow the data better and have longer sides, along which
 /// primitives and rays are needed twice; light effects join the pixels of wide margins.
@@ -55,21 +41,6 @@ ImageDivision DivideImage(const Scene& scene, bool hasLight, RankGroup& ranks)
   }
   return { { scene.ViewCamera.Width, scene.ViewCamera.Height }, counts,
     hasLight ? PartsPerRankWithLight : PartsPerRank };
-}
-
-/// Returns the units of a surface that each rank needs to render its part of the image.
-std::vector<Units> SelectSeenUnits(
-  const Surface& surface, const Camera& camera, const ImageDivision& division, int ranks)
-{
-  std::vector<Units> selected(static_cast<std::size_t>(ranks));
-  VisitTilesOfUnits(surface, camera, [&](std::uint32_t unit, int tile) {
-    Units& units = selected[static_cast<std::size_t>(division.GetOwner(tile))];
-    if (units.empty() || units.back() != unit)
-    {
-      units.push_back(unit);
-    }
-  });
-  return selected;
 }
 
 /// Returns the box of the origins of shadow rays of a unit.

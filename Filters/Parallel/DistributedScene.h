@@ -10,7 +10,6 @@
 #include "SurfaceExchange.h"
 #include "UnitSelection.h"
 
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>

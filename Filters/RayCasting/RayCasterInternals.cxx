@@ -6,12 +6,12 @@
 #include "Image/LayerCompositing.h"
 #include "Import/SceneExtraction.h"
 #include "Import/SceneModificationTime.h"
+#include "LightWarnings.h"
 #include "PassEffects.h"
 #include "PhaseTimer.h"
 #include "Sampling/OpaqueDepths.h"
 #include "Scene.h"
 #include "SceneBounds.h"
-#include "Shading/LightWarnings.h"
 #include "Surface.h"
 
 #include "vtkDataObject.h"

@@ -7,7 +7,7 @@
 
 #include "Execution/NaNCheck.h"
 #include "Image/LayerCompositing.h"
-#include "Import/DepthOffsets.h"
+#include "Import/CoincidentTopology.h"
 #include "Import/SceneModificationTime.h"
 
 #include "vtkImageData.h"

@@ -69,14 +69,7 @@ std::vector<glm::vec3> ReadRadiances(vtkImageData* image, double intensity)
 vtkPenumbraEnvironment::vtkPenumbraEnvironment() = default;
 vtkPenumbraEnvironment::~vtkPenumbraEnvironment() = default;
 
-void vtkPenumbraEnvironment::SetImage(vtkImageData* image)
-{
-  if (this->Image != image)
-  {
-    this->Image = image;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkPenumbraEnvironment, Image, vtkImageData);
 
 vtkImageData* vtkPenumbraEnvironment::GetImage()
 {

@@ -3,15 +3,59 @@
 #include "vtkPenumbraScreenSpacePass.h"
 
 #include "Chain/PassSlots.h"
-#include "Frame/WindowReleaseNotifier.h"
 
 #include "vtkCamera.h"
+#include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace penumbra
+{
+
+/// Calls back when a window releases its OpenGL resources. VTK 9.1 and 9.2 do not install the header of their callback
+/// class, but every texture object registers one, so this is a texture object without a texture.
+class WindowReleaseNotifier : public vtkTextureObject
+{
+public:
+  static WindowReleaseNotifier* New();
+  vtkTypeMacro(WindowReleaseNotifier, vtkTextureObject);
+
+  /// Calls `released` once, when `window` releases its resources.
+  void Watch(vtkOpenGLRenderWindow* window, std::function<void(vtkWindow*)> released)
+  {
+    this->SetContext(window);
+    this->Released = std::move(released);
+  }
+
+  /// Stops watching without a call.
+  void Stop(vtkWindow* window)
+  {
+    this->Released = nullptr;
+    this->ReleaseGraphicsResources(window);
+  }
+
+  void ReleaseGraphicsResources(vtkWindow* window) override
+  {
+    const std::function<void(vtkWindow*)> released = std::exchange(this->Released, nullptr);
+    this->Superclass::ReleaseGraphicsResources(window);
+    if (released)
+    {
+      released(window);
+    }
+  }
+
+private:
+  std::function<void(vtkWindow*)> Released;
+};
+vtkStandardNewMacro(WindowReleaseNotifier);
+
+}
 
 namespace
 {

@@ -27,9 +27,11 @@ SubdivisionIntegrator::SubdivisionIntegrator(PixelContext& pixel, const PixelEdg
 
 const Sample& SubdivisionIntegrator::GetGridSample(glm::ivec2 fine)
 {
-  if (const Sample* cached = this->Cache.Find(fine))
+  const std::uint64_t key = static_cast<std::uint64_t>(static_cast<std::uint32_t>(fine.y)) << 32 |
+    static_cast<std::uint32_t>(fine.x);
+  if (const auto found = this->Samples.find(key); found != this->Samples.end())
   {
-    return *cached;
+    return found->second;
   }
   // The coarsest level at which this position is a corner. It is independent of the current pixel.
   int level = this->Pixel.Settings.MaximumLevel;
@@ -40,9 +42,9 @@ const Sample& SubdivisionIntegrator::GetGridSample(glm::ivec2 fine)
   const double area = CenterWeight * std::ldexp(1.0, -2 * (level - 1));
   const double scale = std::ldexp(1.0, -this->Pixel.Settings.MaximumLevel);
   ++this->Pixel.Rays.Refinement;
-  return this->Cache.Insert(fine,
-    this->Pixel.Tracer.TraceSample(glm::dvec2(fine) * scale, this->Pixel.Rays,
-      ComputeToleranceScale(area), this->Pixel.Grid.GetPenumbrae(glm::dvec2(fine) * scale)));
+  const Sample sample = this->Pixel.Tracer.TraceSample(glm::dvec2(fine) * scale, this->Pixel.Rays,
+    ComputeToleranceScale(area), this->Pixel.Grid.GetPenumbrae(glm::dvec2(fine) * scale));
+  return this->Samples.emplace(key, sample).first->second;
 }
 
 bool SubdivisionIntegrator::NeedsSubdivision(const Square& square) const

@@ -6,7 +6,10 @@
 #define penumbra_SubdivisionIntegrator_h
 
 #include "Pixels/PixelEdges.h"
-#include "Sampling/SampleCache.h"
+#include "Sampling/CameraRayTracer.h"
+
+#include <cstdint>
+#include <unordered_map>
 
 namespace penumbra
 {
@@ -36,7 +39,8 @@ private:
 
   PixelContext& Pixel;
   const PixelEdges& Edges;
-  SampleCache Cache;
+  /// By position on the finest grid, so that rays at shared corners and sides of squares are traced once [AA].
+  std::unordered_map<std::uint64_t, Sample> Samples;
 };
 
 }

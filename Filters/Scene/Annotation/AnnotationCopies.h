@@ -20,5 +20,8 @@ void CopyCoordinate(vtkCoordinate* from, vtkCoordinate* to);
 /// supported. Call it while an OverlayRecorder exists.
 vtkSmartPointer<vtkProp> CopyAnnotation(vtkProp* prop);
 
+/// Returns true if `prop` is the representation of a 2-D widget that CopyAnnotation() may copy.
+bool IsOverlayWidget(vtkProp* prop);
+
 }
 #endif

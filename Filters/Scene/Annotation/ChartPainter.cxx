@@ -100,7 +100,7 @@ public:
   void DrawPointSprites(
     vtkImageData* sprite, float* points, int n, unsigned char* colors, int components) override
   {
-    const OverlayTexels texels = this->FindTexels(sprite);
+    const Texture texels = this->FindTexels(sprite);
     const double half = 0.5 * this->Scale * std::max(this->Pen->GetWidth(), 1.f);
     for (int i = 0; i < n; ++i)
     {
@@ -190,7 +190,7 @@ public:
       corners.push_back({ this->ToPixels(points + 2 * i),
         this->FindColor(this->Brush->GetColorObject(), colors, components, i) });
     }
-    const OverlayTexels texels = this->FindTexels(this->Brush->GetTexture());
+    const Texture texels = this->FindTexels(this->Brush->GetTexture());
     if (texels.Texels.empty())
     {
       this->Fill(std::move(corners), colors != nullptr);
@@ -369,18 +369,19 @@ private:
     return glm::vec4(c[0], c[1], c[2], components > 3 ? c[3] : 255) / 255.f;
   }
 
-  OverlayTexels FindTexels(vtkImageData* image)
+  Texture FindTexels(vtkImageData* image)
   {
     auto* colors =
       image ? vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetScalars()) : nullptr;
     this->IsIncomplete |= image && !colors;
-    OverlayTexels texels = colors ? ConvertTexels(colors, image->GetDimensions()) : OverlayTexels();
+    Texture texels = colors
+      ? ConvertTexels(colors, image->GetDimensions()[0], image->GetDimensions()[1])
+      : Texture();
     texels.Interpolate = true;
     return texels;
   }
 
-  void Fill(
-    std::vector<OverlayVertex> corners, bool isShaded, const OverlayTexels* texels = nullptr)
+  void Fill(std::vector<OverlayVertex> corners, bool isShaded, const Texture* texels = nullptr)
   {
     if (this->IsClipping)
     {
@@ -403,7 +404,7 @@ private:
     FillPolygon(polygon, corners.front().Color, *this->Image);
   }
 
-  void FillRectangle(glm::dvec2 low, glm::dvec2 high, glm::vec4 color, const OverlayTexels& texels)
+  void FillRectangle(glm::dvec2 low, glm::dvec2 high, glm::vec4 color, const Texture& texels)
   {
     this->Fill({ { low, color, { 0.0, 0.0 } }, { { high.x, low.y }, color, { 1.0, 0.0 } },
                  { high, color, { 1.0, 1.0 } }, { { low.x, high.y }, color, { 0.0, 1.0 } } },

@@ -56,17 +56,16 @@ void ForEachPixel(const std::vector<glm::dvec2>& corners, const Overlay& overlay
   }
 }
 
-}
-
-glm::vec4 OverlayTexels::Sample(glm::dvec2 coordinates) const
+/// Returns the color at texture coordinates in [0, 1]; others are clamped.
+glm::vec4 Sample(const Texture& texture, glm::dvec2 coordinates)
 {
   const auto texel = [&](double x, double y) {
-    const int i = std::clamp(static_cast<int>(std::floor(x)), 0, this->Width - 1);
-    const int j = std::clamp(static_cast<int>(std::floor(y)), 0, this->Height - 1);
-    return glm::vec4(this->Texels[static_cast<std::size_t>(j) * this->Width + i]) / 255.f;
+    const int i = std::clamp(static_cast<int>(std::floor(x)), 0, texture.Width - 1);
+    const int j = std::clamp(static_cast<int>(std::floor(y)), 0, texture.Height - 1);
+    return glm::vec4(texture.Texels[static_cast<std::size_t>(j) * texture.Width + i]) / 255.f;
   };
-  glm::dvec2 p = glm::clamp(coordinates, 0.0, 1.0) * glm::dvec2(this->Width, this->Height);
-  if (!this->Interpolate)
+  glm::dvec2 p = glm::clamp(coordinates, 0.0, 1.0) * glm::dvec2(texture.Width, texture.Height);
+  if (!texture.Interpolate)
   {
     return texel(p.x, p.y);
   }
@@ -76,26 +75,28 @@ glm::vec4 OverlayTexels::Sample(glm::dvec2 coordinates) const
     glm::mix(texel(p.x, p.y + 1.0), texel(p.x + 1.0, p.y + 1.0), t.x), t.y);
 }
 
-OverlayTexels ConvertTexels(vtkUnsignedCharArray* colors, const int size[2])
+}
+
+Texture ConvertTexels(vtkUnsignedCharArray* colors, int width, int height)
 {
-  OverlayTexels texels;
-  const auto count = static_cast<std::size_t>(size[0]) * size[1];
+  Texture texture;
+  const auto count = static_cast<std::size_t>(width) * height;
   const int components = colors->GetNumberOfComponents();
-  if (static_cast<std::size_t>(colors->GetNumberOfTuples()) < count || components > 4)
+  if (static_cast<std::size_t>(colors->GetNumberOfTuples()) < count)
   {
-    return texels;
+    return texture;
   }
-  texels.Width = size[0];
-  texels.Height = size[1];
-  texels.Texels.resize(count);
+  texture.Width = width;
+  texture.Height = height;
+  texture.Texels.resize(count);
   for (std::size_t i = 0; i < count; ++i)
   {
     const unsigned char* c = colors->GetPointer(static_cast<vtkIdType>(i) * components);
     const bool isGray = components < 3;
-    texels.Texels[i] = { c[0], isGray ? c[0] : c[1], isGray ? c[0] : c[2],
+    texture.Texels[i] = { c[0], isGray ? c[0] : c[1], isGray ? c[0] : c[2],
       components % 2 == 0 ? c[components - 1] : static_cast<unsigned char>(255) };
   }
-  return texels;
+  return texture;
 }
 
 void FillPolygon(const std::vector<glm::dvec2>& corners, glm::vec4 color, Overlay& overlay)
@@ -121,7 +122,7 @@ void FillLine(glm::dvec2 from, glm::dvec2 to, double width, glm::vec4 color, Ove
   }
 }
 
-void FillShadedPolygon(const std::vector<OverlayVertex>& corners, const OverlayTexels* texels,
+void FillShadedPolygon(const std::vector<OverlayVertex>& corners, const Texture* texels,
   Overlay& overlay, bool isDescribed)
 {
   overlay.SetDescribed(isDescribed);
@@ -144,7 +145,7 @@ void FillShadedPolygon(const std::vector<OverlayVertex>& corners, const OverlayT
         static_cast<float>(v) * c.Color;
       if (texels)
       {
-        color *= texels->Sample(w * a.Coordinates + u * b.Coordinates + v * c.Coordinates);
+        color *= Sample(*texels, w * a.Coordinates + u * b.Coordinates + v * c.Coordinates);
       }
       overlay.FillRectangle(pixel, pixel + 1.0, color);
     });

@@ -6,6 +6,7 @@
 #ifndef penumbra_OverlayPainter_h
 #define penumbra_OverlayPainter_h
 
+#include "Material.h"
 #include "Overlay.h"
 
 #include <glm/glm.hpp>
@@ -17,20 +18,9 @@ class vtkUnsignedCharArray;
 namespace penumbra
 {
 
-/// RGBA image that is mapped to triangles, bottom row first.
-struct OverlayTexels
-{
-  int Width = 0;
-  int Height = 0;
-  std::vector<glm::u8vec4> Texels;
-  bool Interpolate = false;
-
-  /// Returns the color at texture coordinates in [0, 1]; others are clamped.
-  glm::vec4 Sample(glm::dvec2 coordinates) const;
-};
-
-/// Converts an image of 1 to 4 components (luminance, luminance and alpha, RGB, RGBA).
-OverlayTexels ConvertTexels(vtkUnsignedCharArray* colors, const int size[2]);
+/// Converts an image of 1 to 4 components (luminance, luminance and alpha, RGB, RGBA), bottom row first. Its texels
+/// are empty if there are too few.
+Texture ConvertTexels(vtkUnsignedCharArray* colors, int width, int height);
 
 /// Corner of a triangle.
 struct OverlayVertex
@@ -48,7 +38,7 @@ void FillLine(glm::dvec2 from, glm::dvec2 to, double width, glm::vec4 color, Ove
 
 /// Fills a convex polygon with interpolated colors, multiplied by `texels` unless that is null.
 /// `isDescribed` is true if shapes of the overlay describe its pixels, as those of text.
-void FillShadedPolygon(const std::vector<OverlayVertex>& corners, const OverlayTexels* texels,
+void FillShadedPolygon(const std::vector<OverlayVertex>& corners, const Texture* texels,
   Overlay& overlay, bool isDescribed = false);
 
 }

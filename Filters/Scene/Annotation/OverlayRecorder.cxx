@@ -63,7 +63,7 @@ void CopyInput(vtkAlgorithm* from, vtkAlgorithm* to)
 }
 
 /// Returns the texels of a texture; empty if it has no image.
-OverlayTexels FindTexels(vtkTexture* texture)
+Texture FindTexels(vtkTexture* texture)
 {
   if (!texture || texture->GetNumberOfInputConnections(0) == 0)
   {
@@ -89,7 +89,7 @@ OverlayTexels FindTexels(vtkTexture* texture)
     }
     bytes = mapped;
   }
-  OverlayTexels texels = ConvertTexels(bytes, size);
+  Texture texels = ConvertTexels(bytes, size[0], size[1]);
   texels.Interpolate = texture->GetInterpolate();
   return texels;
 }
@@ -116,8 +116,7 @@ public:
     {
       return;
     }
-    const OverlayTexels texels =
-      Current->SkipsTextures ? OverlayTexels() : FindTexels(Current->CurrentTexture);
+    const Texture texels = Current->SkipsTextures ? Texture() : FindTexels(Current->CurrentTexture);
     vtkDataArray* coordinates = input->GetPointData()->GetTCoords();
     const bool isTextured = !texels.Texels.empty() && coordinates;
     vtkProperty2D* property = actor->GetProperty();
@@ -192,7 +191,7 @@ private:
   }
 
   static void DrawCell(int type, const std::vector<OverlayVertex>& corners, vtkProperty2D* property,
-    bool isShaded, const OverlayTexels* texels, bool isText)
+    bool isShaded, const Texture* texels, bool isText)
   {
     Overlay& image = Current->Image;
     if (corners.empty())
@@ -303,7 +302,7 @@ public:
     const double opacity = actor->GetProperty()->GetOpacity();
     const double* c = actor->GetProperty()->GetColor();
     const glm::vec4 color(c[0], c[1], c[2], opacity);
-    const OverlayTexels texels = ConvertTexels(colors, size);
+    const Texture texels = ConvertTexels(colors, size[0], size[1]);
     FillShadedPolygon({ { low, color, { 0.0, 0.0 } }, { { high.x, low.y }, color, { 1.0, 0.0 } },
                         { high, color, { 1.0, 1.0 } }, { { low.x, high.y }, color, { 0.0, 1.0 } } },
       &texels, Current->Image);

@@ -8,8 +8,6 @@
 #include "Features/SceneFeatures.h"
 #include "OverlayRecorder.h"
 #include "Scene.h"
-#include "SceneExtractionScalarBar.h"
-#include "WidgetCopies.h"
 
 #include "vtkActor2D.h"
 #include "vtkAxesActor.h"
@@ -24,6 +22,7 @@
 #include "vtkProperty2D.h"
 #include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
+#include "vtkScalarsToColors.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkTextRenderer.h"
@@ -36,6 +35,72 @@ namespace penumbra
 {
 namespace
 {
+
+/// Copies settings that VTK 9.1 and 9.2 do not have.
+template <typename Bar>
+auto CopyLaterSettings(Bar* from, Bar* to, int)
+  -> decltype(from->GetForceVerticalTitle(), from->GetOpacityFunction(), void())
+{
+  to->SetForceVerticalTitle(from->GetForceVerticalTitle());
+  to->SetOpacityFunction(from->GetOpacityFunction());
+}
+template <typename Bar>
+void CopyLaterSettings(Bar*, Bar*, long)
+{
+}
+
+/// Copies all settings; vtkScalarBarActor::ShallowCopy() omits most.
+void CopySettings(vtkScalarBarActor* from, vtkScalarBarActor* to)
+{
+  to->ShallowCopy(from);
+  to->SetBarRatio(from->GetBarRatio());
+  to->SetTitleRatio(from->GetTitleRatio());
+  to->SetTextPad(from->GetTextPad());
+  to->SetTextPosition(from->GetTextPosition());
+  to->SetNumberOfLabels(from->GetNumberOfLabels());
+  to->SetComponentTitle(from->GetComponentTitle());
+  to->SetUseOpacity(from->GetUseOpacity());
+  to->SetMaximumWidthInPixels(from->GetMaximumWidthInPixels());
+  to->SetMaximumHeightInPixels(from->GetMaximumHeightInPixels());
+  to->SetAnnotationLeaderPadding(from->GetAnnotationLeaderPadding());
+  to->SetAnnotationTextScaling(from->GetAnnotationTextScaling());
+  to->SetFixedAnnotationLeaderLineColor(from->GetFixedAnnotationLeaderLineColor());
+  to->SetVerticalTitleSeparation(from->GetVerticalTitleSeparation());
+  to->SetUnconstrainedFontSize(from->GetUnconstrainedFontSize());
+  to->SetDrawAnnotations(from->GetDrawAnnotations());
+  to->SetDrawColorBar(from->GetDrawColorBar());
+  to->SetDrawTickLabels(from->GetDrawTickLabels());
+  to->SetDrawNanAnnotation(from->GetDrawNanAnnotation());
+  to->SetNanAnnotation(from->GetNanAnnotation());
+  to->SetDrawBelowRangeSwatch(from->GetDrawBelowRangeSwatch());
+  to->SetBelowRangeAnnotation(from->GetBelowRangeAnnotation());
+  to->SetDrawAboveRangeSwatch(from->GetDrawAboveRangeSwatch());
+  to->SetAboveRangeAnnotation(from->GetAboveRangeAnnotation());
+  CopyLaterSettings(from, to, 0);
+}
+
+/// Draws `bar` into scene.OverlayImage. A copy of the bar renders its parts into the overlay
+/// instead of a window. The grid behind translucent colors is omitted. Returns false if VTK cannot
+/// render text.
+bool DrawScalarBar(vtkScalarBarActor* bar, vtkRenderer* renderer, int dpi, Scene& scene)
+{
+  if (!bar->GetLookupTable())
+  {
+    return true;
+  }
+  if (!vtkTextRenderer::GetInstance())
+  {
+    return false;
+  }
+  OverlayRecorder recorder(renderer, dpi, scene, true);
+  {
+    vtkNew<vtkScalarBarActor> copy;
+    CopySettings(bar, copy);
+    copy->GetLookupTable()->Build();
+    copy->RenderOverlay(recorder.GetViewport());
+  }
+  return recorder.HasText;
+}
 
 glm::dvec2 ToVector(const vtkVector2i& x)
 {
@@ -268,21 +333,34 @@ void AddTextShapes(const std::string& text, vtkTextProperty* property, glm::dvec
   }
 }
 
+vtkSmartPointer<vtkImageData> RenderText(
+  const char* text, vtkTextProperty* property, int dpi, glm::ivec2& corner)
+{
+  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  int size[2];
+  int box[4];
+  if (!text || !*text || !renderer || !renderer->RenderString(property, text, image, size, dpi) ||
+    !renderer->GetBoundingBox(property, text, box, dpi))
+  {
+    return nullptr;
+  }
+  corner = { box[0], box[2] };
+  return image;
+}
+
 bool DrawText(
   const std::string& text, vtkTextProperty* property, glm::dvec2 anchor, int dpi, Overlay& overlay)
 {
-  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
-  vtkNew<vtkImageData> image;
-  int size[2];
-  int box[4];
-  if (!renderer || !renderer->RenderString(property, text, image, size, dpi) ||
-    !renderer->GetBoundingBox(property, text, box, dpi))
+  glm::ivec2 corner;
+  const vtkSmartPointer<vtkImageData> image = RenderText(text.c_str(), property, dpi, corner);
+  if (!image)
   {
     return false;
   }
-  overlay.DrawImage(image, static_cast<int>(std::lround(anchor.x)) + box[0],
-    static_cast<int>(std::lround(anchor.y)) + box[2]);
-  AddTextShapes(text, property, glm::round(anchor), dpi, renderer, overlay);
+  overlay.DrawImage(image, static_cast<int>(std::lround(anchor.x)) + corner.x,
+    static_cast<int>(std::lround(anchor.y)) + corner.y);
+  AddTextShapes(text, property, glm::round(anchor), dpi, vtkTextRenderer::GetInstance(), overlay);
   return true;
 }
 

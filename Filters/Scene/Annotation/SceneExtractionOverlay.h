@@ -7,14 +7,16 @@
 
 #include "VisiblePoints.h"
 
+#include "vtkSmartPointer.h"
+
 #include <glm/glm.hpp>
 
 #include <string>
 
 class vtkCoordinate;
+class vtkImageData;
 class vtkProp;
 class vtkRenderer;
-class vtkScalarBarActor;
 class vtkTextProperty;
 class vtkTextRenderer;
 
@@ -38,6 +40,11 @@ glm::dvec2 ComputePixelPosition(vtkCoordinate* coordinate, const Scene& scene);
 /// Adds shapes of the background of text and of its lines, whose pixels are drawn by others.
 void AddTextShapes(const std::string& text, vtkTextProperty* property, glm::dvec2 anchor, int dpi,
   vtkTextRenderer* renderer, Overlay& overlay);
+
+/// Renders text. Returns null if it is empty or VTK cannot render text. `corner` receives the pixel
+/// of the lower left corner relative to the anchor.
+vtkSmartPointer<vtkImageData> RenderText(
+  const char* text, vtkTextProperty* property, int dpi, glm::ivec2& corner);
 
 /// Draws text at `anchor` with the justification of `property`. Returns false if VTK cannot render
 /// text.

@@ -3,8 +3,8 @@
 #include "SceneExtraction.h"
 
 #include "Annotation/SceneExtractionOverlay.h"
+#include "CoincidentTopology.h"
 #include "CollectionItems.h"
-#include "DepthOffsets.h"
 #include "Features/SceneFeatures.h"
 #include "Scene.h"
 #include "SceneExtractionActors.h"

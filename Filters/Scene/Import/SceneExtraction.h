@@ -15,7 +15,6 @@
 #include "vtkType.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>

@@ -3,8 +3,8 @@
 #include "SceneExtractionActors.h"
 
 #include "Annotation/SceneExtractionOverlay.h"
+#include "CoincidentTopology.h"
 #include "CollectionItems.h"
-#include "DepthOffsets.h"
 #include "Features/SceneFeatures.h"
 #include "Features/UnsupportedFeatures.h"
 #include "Geometry/CurvedCells.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionColors.h"
 
+#include "Annotation/OverlayPainter.h"
 #include "Features/SceneFeatures.h"
 
 #include "vtkCellArray.h"
@@ -29,22 +30,6 @@ namespace penumbra
 {
 namespace
 {
-
-/// Converts texels with 1 to 4 components (luminance, luminance and alpha, RGB, RGBA) to RGBA.
-std::vector<glm::u8vec4> MakeTexels(vtkUnsignedCharArray* from, std::size_t count)
-{
-  const int components = from->GetNumberOfComponents();
-  std::vector<glm::u8vec4> texels(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const unsigned char* c = from->GetPointer(static_cast<vtkIdType>(i) * components);
-    const bool gray = components < 3;
-    const bool alpha = components % 2 == 0;
-    texels[i] = { c[0], gray ? c[0] : c[1], gray ? c[0] : c[2],
-      alpha ? c[components - 1] : static_cast<unsigned char>(255) };
-  }
-  return texels;
-}
 
 Texture::WrapModes ConvertWrapMode(vtkTexture* texture)
 {
@@ -179,16 +164,9 @@ private:
 
 std::shared_ptr<Texture> MakeTexture(vtkUnsignedCharArray* colors, int width, int height)
 {
-  const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  if (!colors || count == 0 || static_cast<std::size_t>(colors->GetNumberOfTuples()) < count)
-  {
-    return nullptr;
-  }
-  auto texture = std::make_shared<Texture>();
-  texture->Width = width;
-  texture->Height = height;
-  texture->Texels = MakeTexels(colors, count);
-  return texture;
+  auto texture =
+    std::make_shared<Texture>(colors ? ConvertTexels(colors, width, height) : Texture());
+  return texture->Texels.empty() ? nullptr : texture;
 }
 
 vtkStandardNewMacro(ScalarMapper);

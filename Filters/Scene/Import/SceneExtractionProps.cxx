@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionProps.h"
 
+#include "Annotation/SceneExtractionOverlay.h"
 #include "CollectionItems.h"
 #include "Scene.h"
 #include "SceneExtractionColors.h"
@@ -33,7 +34,6 @@
 #include "vtkScalarsToColors.h"
 #include "vtkTextActor3D.h"
 #include "vtkTextProperty.h"
-#include "vtkTextRenderer.h"
 #include "vtkWidgetRepresentation.h"
 
 #include <algorithm>
@@ -303,24 +303,6 @@ void MakeImageSlice(vtkImageSlice* prop, vtkImageSliceMapper* mapper, DrawItem& 
   {
     item.Data = MakeRectangle(mapper->GetInput(), slice);
   }
-}
-
-/// Renders text. Returns null if it is empty or VTK cannot render text. `corner` receives the pixel
-/// of the lower left corner relative to the anchor.
-vtkSmartPointer<vtkImageData> RenderText(
-  const char* text, vtkTextProperty* property, int dpi, glm::ivec2& corner)
-{
-  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  int size[2];
-  int box[4];
-  if (!text || !*text || !renderer || !renderer->RenderString(property, text, image, size, dpi) ||
-    !renderer->GetBoundingBox(property, text, box, dpi))
-  {
-    return nullptr;
-  }
-  corner = { box[0], box[2] };
-  return image;
 }
 
 SliceRectangle WholeImage(vtkImageData* image)

@@ -6,7 +6,7 @@
 #ifndef penumbra_LightWarnings_h
 #define penumbra_LightWarnings_h
 
-#include "Illumination.h"
+#include "Shading/Illumination.h"
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
 #include <glm/glm.hpp>

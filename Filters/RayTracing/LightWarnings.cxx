@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightWarnings.h"
 
-#include "RayTracingConstants.h"
 #include "Scene.h"
+#include "Shading/RayTracingConstants.h"
 #include "Surface.h"
 
 #include "vtkLine.h"

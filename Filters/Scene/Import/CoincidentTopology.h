@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Reads the settings of vtkMapper for coincident topology.
-#ifndef penumbra_DepthOffsets_h
-#define penumbra_DepthOffsets_h
+#ifndef penumbra_CoincidentTopology_h
+#define penumbra_CoincidentTopology_h
 
 #include "Tessellation/SceneExtractionItem.h"
 #include "vtkPenumbraFiltersSceneModule.h" // for export macro

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DepthOffsets.h"
+#include "CoincidentTopology.h"
 
 #include "CollectionItems.h"
 #include "Scene.h"
