@@ -66,7 +66,8 @@ public:
       this->Scattered.assign(this->Count, 0);
       this->Grid.Tiles.resize(this->Count);
       constexpr int Ratio = LightTileSide / DirectionBlockSide;
-      this->Grid.Guides.resize(static_cast<std::size_t>(this->Count) * Ratio * Ratio);
+      constexpr int Guides = LightTerms<N>::HasRadiance ? Ratio * Ratio : 0;
+      this->Grid.Guides.resize(static_cast<std::size_t>(this->Count) * Guides);
     }
     const bool finished = this->ForTiles(
       limit, from, to, progress, counts, this->Count, [&](int tile, SiteSampler<N>& sampler) {
@@ -79,7 +80,10 @@ public:
         this->Grid.Tiles[tile].resize(LightTileSide * LightTileSide);
         this->VisitBlocks(tile, [&](glm::ivec2 first) {
           sampler.FindSites(first);
-          this->Grid.Guides[this->Grid.GetBlock(first)] = sampler.MakeGuide();
+          if constexpr (LightTerms<N>::HasRadiance)
+          {
+            this->Grid.Guides[this->Grid.GetBlock(first)] = sampler.MakeGuide();
+          }
           for (int cell = 0; cell < SiteSampler<N>::Cells; ++cell)
           {
             LightPixel& pixel = this->GetPixel(first, cell);

@@ -93,17 +93,30 @@ public:
   {
   }
 
-  /// Returns a ray above a surface, in the direction of a point of the unit square, which the cosine weights.
-  /// `frame`: FrameFromNormal() of the shading normal.
-  Ray MakeRay(
-    glm::vec3 position, const SurfaceNormals& normals, const glm::mat3& frame, glm::vec2 at) const
+  /// Returns a ray that starts above a surface, in the direction of its geometric normal.
+  Ray StartRay(glm::vec3 position, const SurfaceNormals& normals) const
   {
-    Ray ray = Illumination::SpawnRay(
-      position, normals, frame * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
+    Ray ray = Illumination::SpawnRay(position, normals, normals.Geometric);
     if (!LightTerms<N>::HasRadiance)
     {
       ray.Far = this->Effects.Occlusion->GetRadius();
     }
+    return ray;
+  }
+
+  /// Turns a ray to the direction of a point of the unit square, which the cosine weights.
+  /// `frame`: FrameFromNormal() of the shading normal.
+  static void Turn(Ray& ray, const SurfaceNormals& normals, const glm::mat3& frame, glm::vec2 at)
+  {
+    ray.Direction =
+      normals.ReflectAbove(frame * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
+  }
+
+  Ray MakeRay(
+    glm::vec3 position, const SurfaceNormals& normals, const glm::mat3& frame, glm::vec2 at) const
+  {
+    Ray ray = this->StartRay(position, normals);
+    Turn(ray, normals, frame, at);
     return ray;
   }
 

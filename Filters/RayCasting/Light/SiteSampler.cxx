@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SiteSampler.h"
 
+#include "Execution/Vectorized.h"
 #include "Scene.h"
 #include "Shading/HemisphereSampling.h"
-#include "Shading/OwenSobolSequence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,6 +74,25 @@ std::uint32_t CountPartSamples(double tolerance)
   return samples;
 }
 
+/// Points of the unit square that choose the directions of the rays of a hit.
+struct DirectionPoints
+{
+  float X[RaysOfHit];
+  float Y[RaysOfHit];
+};
+
+PENUMBRA_VECTORIZED
+void FindPoints(const OwenSobolSequence& sequence, std::uint32_t seed, std::uint32_t first,
+  DirectionPoints& points)
+{
+  for (std::uint32_t i = 0; i < RaysOfHit; ++i)
+  {
+    const glm::vec2 at = sequence.At(OwenSobolSequence::ShuffleIndex(first + i, seed));
+    points.X[i] = at.x;
+    points.Y[i] = at.y;
+  }
+}
+
 OwenSobolSequence MakeSequence(std::uint32_t seed, int half, Sequences kind)
 {
   return OwenSobolSequence(MixBits(seed + 2u * static_cast<std::uint32_t>(kind) + half));
@@ -85,7 +104,9 @@ template <int N>
 SiteSampler<N>::SiteSampler(const CameraRayTracer& tracer, const LightRays<N>& rays)
   : Tracer(tracer),
     Source(rays),
-    PartSamples(CountPartSamples(rays.GetTolerance()))
+    PartSamples(CountPartSamples(rays.GetTolerance())),
+    Directions{ OwenSobolSequence(0), OwenSobolSequence(0) },
+    Lights(this->Directions)
 {
 }
 
@@ -109,6 +130,11 @@ void SiteSampler<N>::Begin(glm::ivec2 first)
   this->Seed =
     MixBits(static_cast<std::uint32_t>(block.x) + MixBits(static_cast<std::uint32_t>(block.y))) *
     8u;
+  for (int half = 0; half < Halves; ++half)
+  {
+    this->Directions[half] = MakeSequence(this->Seed, half, Sequences::Directions);
+    this->Lights[half] = MakeSequence(this->Seed, half, LightSamples);
+  }
   this->Requests.clear();
 }
 
@@ -153,8 +179,11 @@ template <int N>
 void SiteSampler<N>::FindSites(glm::ivec2 first)
 {
   this->Begin(first);
-  this->Strengths = DirectionGuide::Sums();
-  this->Guide = DirectionGuide();
+  if constexpr (LightTerms<N>::HasRadiance)
+  {
+    this->Strengths = DirectionGuide::Sums();
+    this->Guide = DirectionGuide();
+  }
   for (int cell = 0; cell < Cells; ++cell)
   {
     this->Sites[cell].clear();
@@ -192,7 +221,10 @@ template <int N>
 void SiteSampler<N>::AddSamples(glm::ivec2 first, const SiteGrid<N>& grid)
 {
   this->Begin(first);
-  this->Guide = grid.Guides[grid.GetBlock(first)];
+  if constexpr (LightTerms<N>::HasRadiance)
+  {
+    this->Guide = grid.Guides[grid.GetBlock(first)];
+  }
   for (int cell = 0; cell < Cells; ++cell)
   {
     const glm::ivec2 p = first + GetOffset(cell);
@@ -359,23 +391,24 @@ void SiteSampler<N>::QueueRays(
   {
     return;
   }
-  const OwenSobolSequence sequence = MakeSequence(this->Seed, half, Directions);
-  const OwenSobolSequence lights = MakeSequence(this->Seed, half, LightSamples);
   const SurfaceNormals normals(layer.Normal, layer.Geometric);
   const glm::mat3 frame = FrameFromNormal(layer.Normal);
+  const Ray start = this->Source.StartRay(layer.Position, normals);
+  DirectionPoints points;
+  FindPoints(this->Directions[half], this->Seed + half, request.FirstRay, points);
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    glm::vec2 at =
-      sequence.At(OwenSobolSequence::ShuffleIndex(request.FirstRay + i, this->Seed + half));
+    glm::vec2 at(points.X[i], points.Y[i]);
     LightPacket<N>& packet = this->Packet;
     packet.Weights[packet.Count] = LightTerms<N>::HasRadiance ? this->Guide.Move(at) : 1.f;
-    packet.Rays[packet.Count] = this->Source.MakeRay(layer.Position, normals, frame, at);
+    packet.Rays[packet.Count] = start;
+    LightRays<N>::Turn(packet.Rays[packet.Count], normals, frame, at);
     this->Owners[packet.Count] = { request.Cell, site, half, at };
     if constexpr (LightTerms<N>::HasRadiance)
     {
       const std::uint32_t index =
         OwenSobolSequence::ShuffleIndex(request.FirstRay + i, this->Seed + 2 * Halves + half);
-      packet.Starts[packet.Count] = { layer.Position, normals, lights.At(index) };
+      packet.Starts[packet.Count] = { layer.Position, normals, this->Lights[half].At(index) };
     }
     ++this->TracedRays;
     if (++packet.Count == LightPacket<N>::Size)
@@ -400,7 +433,10 @@ void SiteSampler<N>::Flush()
     LightSite<N>& site = this->Sites[owner.Cell][owner.Site];
     site.Sums[owner.Half] += packet.Values[i];
     ++site.Rays[owner.Half];
-    this->Strengths.Add(owner.At, packet.Strengths[i]);
+    if constexpr (LightTerms<N>::HasRadiance)
+    {
+      this->Strengths.Add(owner.At, packet.Strengths[i]);
+    }
   }
   packet.Count = 0;
 }

@@ -10,8 +10,10 @@
 #include "LightConstants.h"
 #include "LightRays.h"
 #include "Sampling/CameraRayTracer.h"
+#include "Shading/OwenSobolSequence.h"
 #include "SiteGrid.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -80,6 +82,8 @@ private:
   const std::uint32_t PartSamples; ///< of a pixel with several sites
   glm::ivec2 First{ 0 };
   std::uint32_t Seed = 0;
+  std::array<OwenSobolSequence, Halves> Directions; ///< sequences of the block
+  std::array<OwenSobolSequence, Halves> Lights;
   std::vector<LightSite<N>> Sites[Cells];
   LightPixel Pixels[Cells];
   std::vector<Request> Requests;

@@ -3,7 +3,7 @@
 #include "NearestTriangles.h"
 
 #include "Embree/CoincidentSurfaces.h"
-#include "Vectorized.h"
+#include "Execution/Vectorized.h"
 
 #include <algorithm>
 #include <limits>

@@ -3,7 +3,7 @@
 #include "PixelLayers.h"
 
 #include "Embree/CoincidentSurfaces.h"
-#include "Vectorized.h"
+#include "Execution/Vectorized.h"
 
 #include <algorithm>
 #include <cmath>
