@@ -64,7 +64,7 @@ public:
 
   bool IsEmissive() const { return MaximumComponent(this->Factor) > 0.f; }
 
-  float ComputeStrength(std::uint32_t primitive) const
+  glm::vec3 ComputeLight(std::uint32_t primitive) const
   {
     glm::vec3 color(1.f);
     if (this->Data.HasTriangleColors())
@@ -79,7 +79,7 @@ public:
                   glm::vec3(this->Data.PointColors[corners.z]))) /
         255.f;
     }
-    return MaximumComponent(this->Factor * color);
+    return this->Factor * color;
   }
 
 private:
@@ -142,11 +142,13 @@ void ForEachEmitter(const Scene& scene, bool& hasTubes, const Function& function
     }
     for (std::size_t k = 0; k < surface.GetNumberOfPrimitives(); ++k)
     {
-      const float strength = radiance.ComputeStrength(static_cast<std::uint32_t>(k));
+      const glm::vec3 light = radiance.ComputeLight(static_cast<std::uint32_t>(k));
+      const float strength = MaximumComponent(light);
       if (strength > 0.f)
       {
         Emitter emitter = MakeEmitter(surface, static_cast<std::uint32_t>(k));
         emitter.Strength = strength;
+        emitter.Color = light / strength;
         emitter.Surface = static_cast<std::uint32_t>(i);
         function(emitter);
       }

@@ -20,6 +20,38 @@ constexpr float BelowOne = 0x1.fffffep-1f;
 /// Largest distance of a corner of a parallelogram from where the others lead to expect it, relative to its diagonal.
 constexpr float ParallelogramTolerance = 1e-5f;
 
+/// Number of different colors of emitters up to which samples are stratified by them.
+constexpr std::size_t MaximumColors = 3;
+/// Difference of a channel up to which emitters have one color.
+constexpr float ColorTolerance = 1.f / 16.f;
+/// Probabilities of colors are multiples of 1 / FirstEmitterRays, and none is 0 above the horizon. Each eighth of a
+/// coordinate has one of the first eight samples: of two colors, both have their part of these.
+constexpr float ColorProbabilities = 8.f;
+
+bool HaveOneColor(glm::vec3 a, glm::vec3 b)
+{
+  return glm::all(glm::lessThanEqual(glm::abs(a - b), glm::vec3(ColorTolerance)));
+}
+
+bool HasFewColors(const std::vector<Emitter>& emitters)
+{
+  std::vector<glm::vec3> colors;
+  for (const Emitter& emitter : emitters)
+  {
+    const bool isKnown = std::any_of(colors.begin(), colors.end(),
+      [&emitter](glm::vec3 color) { return HaveOneColor(emitter.Color, color); });
+    if (!isKnown)
+    {
+      colors.push_back(emitter.Color);
+    }
+    if (colors.size() > MaximumColors)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// Returns the probability per solid angle of a point that is uniform on a triangle.
 float TriangleDensity(const Emitter& emitter, glm::vec3 direction, float distance)
 {
@@ -118,7 +150,7 @@ EmitterTree::EmitterTree(std::vector<Emitter> emitters)
   }
   this->Nodes.reserve(2 * this->Emitters.size());
   this->Leaves.resize(this->Emitters.size());
-  this->Build(0, this->Emitters.size(), 0);
+  this->Build(0, this->Emitters.size(), 0, HasFewColors(this->Emitters));
   for (std::uint32_t i = 0; i < this->Emitters.size(); ++i)
   {
     const Emitter& emitter = this->Emitters[i];
@@ -135,10 +167,39 @@ EmitterTree::EmitterTree(std::vector<Emitter> emitters)
   }
 }
 
-// Splits at the median of the longest axis of the bounds. One coordinate of the sample chooses along the longest
-// axis of all emitters, the other one along the others: neighboring emitters are as stratified as one of their
-// whole area.
-std::uint32_t EmitterTree::Build(std::size_t begin, std::size_t end, std::uint32_t parent)
+// Moves the emitters with the color of the first one to the front. Returns the end of these.
+std::size_t EmitterTree::SplitByColor(std::size_t begin, std::size_t end)
+{
+  const auto first = this->Emitters.begin();
+  const glm::vec3 color = this->Emitters[begin].Color;
+  const auto middle = std::stable_partition(first + static_cast<std::ptrdiff_t>(begin),
+    first + static_cast<std::ptrdiff_t>(end),
+    [color](const Emitter& emitter) { return HaveOneColor(emitter.Color, color); });
+  return static_cast<std::size_t>(middle - first);
+}
+
+// Splits at the median along an axis. Returns the beginning of the second half.
+std::size_t EmitterTree::SplitByPlace(std::size_t begin, std::size_t end, int axis)
+{
+  const auto key = [axis](const Emitter& emitter) {
+    return std::make_pair(
+      emitter.Corners[0][axis] + emitter.Corners[1][axis] + emitter.Corners[2][axis],
+      std::make_pair(emitter.Surface, emitter.Primitive));
+  };
+  const std::size_t middle = begin + (end - begin) / 2;
+  const auto at = [this](std::size_t i) {
+    return this->Emitters.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  std::nth_element(at(begin), at(middle), at(end),
+    [&key](const Emitter& a, const Emitter& b) { return key(a) < key(b); });
+  return middle;
+}
+
+// Splits by colors, if there are few, then at the median of the longest axis of the bounds. One coordinate of the
+// sample chooses along the longest axis of all emitters, the other one along the others: neighboring emitters are as
+// stratified as one of their whole area.
+std::uint32_t EmitterTree::Build(
+  std::size_t begin, std::size_t end, std::uint32_t parent, bool dividesColors)
 {
   const auto index = static_cast<std::uint32_t>(this->Nodes.size());
   this->Nodes.emplace_back();
@@ -169,21 +230,14 @@ std::uint32_t EmitterTree::Build(std::size_t begin, std::size_t end, std::uint32
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     this->MainAxis = index == 0 ? axis : this->MainAxis;
     node.Coordinate = axis == this->MainAxis ? 0 : 1;
-    const auto key = [axis](const Emitter& emitter) {
-      return std::make_pair(
-        emitter.Corners[0][axis] + emitter.Corners[1][axis] + emitter.Corners[2][axis],
-        std::make_pair(emitter.Surface, emitter.Primitive));
-    };
-    const std::size_t middle = begin + (end - begin) / 2;
-    const auto at = [this](std::size_t i) {
-      return this->Emitters.begin() + static_cast<std::ptrdiff_t>(i);
-    };
-    std::nth_element(at(begin), at(middle), at(end),
-      [&key](const Emitter& a, const Emitter& b) { return key(a) < key(b); });
-    const std::uint32_t first = this->Build(begin, middle, index);
-    node.Second = this->Build(middle, end, index);
+    const std::size_t sameColor = dividesColors ? this->SplitByColor(begin, end) : end;
+    node.DividesColors = sameColor < end;
+    const std::size_t middle =
+      node.DividesColors ? sameColor : this->SplitByPlace(begin, end, axis);
+    const std::uint32_t first = this->Build(begin, middle, index, false);
+    node.Second = this->Build(middle, end, index, node.DividesColors);
     node.Power = this->Nodes[first].Power + this->Nodes[node.Second].Power;
-    node.IsParallelogram = end - begin == 2 &&
+    node.IsParallelogram = end - begin == 2 && !node.DividesColors &&
       this->Emitters[begin].Strength == this->Emitters[begin + 1].Strength &&
       FormParallelogram(this->Emitters[begin], this->Emitters[begin + 1]);
   }
@@ -210,7 +264,15 @@ float EmitterTree::ComputeFirstProbability(
   }
   const float first = ComputeImportance(this->Nodes[node + 1], point, normal);
   const float second = ComputeImportance(this->Nodes[this->Nodes[node].Second], point, normal);
-  return first + second > 0.f ? first / (first + second) : -1.f;
+  if (!(first + second > 0.f))
+  {
+    return -1.f;
+  }
+  const float probability = first / (first + second);
+  return this->Nodes[node].DividesColors && first > 0.f && second > 0.f
+    ? glm::clamp(std::round(ColorProbabilities * probability), 1.f, ColorProbabilities - 1.f) /
+      ColorProbabilities
+    : probability;
 }
 
 EmitterTree::Sample EmitterTree::SampleDirection(

@@ -25,6 +25,7 @@ struct Emitter
   std::array<glm::vec3, 3> Corners; ///< of a sphere: its center in all three
   float Radius = 0.f;               ///< 0: a triangle
   float Strength = 0.f;             ///< largest channel of its radiance; emits from both sides
+  glm::vec3 Color{ 1.f };           ///< its radiance, relative to Strength
   std::uint32_t Surface = 0;        ///< index into Scene::Surfaces
   std::uint32_t Primitive = 0;
 
@@ -74,10 +75,13 @@ private:
     std::uint32_t EmitterIndex = 0; ///< of a leaf
     int Coordinate = 0;             ///< of a sample, chooses the child
     bool IsParallelogram = false;   ///< its children are the halves of one
+    bool DividesColors = false;     ///< the emitters of its children differ in color
     bool IsLeaf() const { return this->Second == 0; }
   };
 
-  std::uint32_t Build(std::size_t begin, std::size_t end, std::uint32_t parent);
+  std::uint32_t Build(std::size_t begin, std::size_t end, std::uint32_t parent, bool dividesColors);
+  std::size_t SplitByColor(std::size_t begin, std::size_t end);
+  std::size_t SplitByPlace(std::size_t begin, std::size_t end, int axis);
   static float ComputeImportance(const Node& node, glm::vec3 point, glm::vec3 normal);
   /// Returns the probability of the first child of an inner node; negative if it has no importance.
   float ComputeFirstProbability(std::uint32_t node, glm::vec3 point, glm::vec3 normal) const;

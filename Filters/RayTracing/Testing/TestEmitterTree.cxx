@@ -140,6 +140,7 @@ TEST(EmitterTree, ReturnsTheDensityOfItsSamples)
       emitter.Corners[2] += .3f * glm::vec3(next(), next(), next());
     }
     emitter.Strength = 1.5f + next();
+    emitter.Color[i % 2] = 0.f;
     emitter.Primitive = i;
     emitters.push_back(emitter);
   }
@@ -547,6 +548,53 @@ TEST(SampledLight, IsExactNextToMuchStrongerEmitters)
       light.EstimateSampledLight(point, Up, .01 * whole, count);
     ASSERT_NEAR(found.Mean.x, whole, std::max(.03 * whole, 4.0 * found.Error)) << i;
     ASSERT_LT(count, 100) << i;
+  }
+}
+
+// The first rays are as visible as each other. If all of them are toward emitters of one color, the light of the others
+// would be missed.
+TEST(SampledLight, OfTwoColorsHasBoth)
+{
+  const glm::vec3 positions[] = { { -1.f, .2f, 3.f }, { .8f, -.5f, 2.5f } };
+  for (const float weak : { .5f, .1f, .05f })
+  {
+    for (const bool isWeakFirst : { true, false })
+    {
+      Scene scene;
+      AddFloor(scene, 10.f);
+      MakeBlack(scene);
+      glm::dvec3 exact(0.0);
+      for (const int i : { 0, 1 })
+      {
+        const bool isWeak = (i == 0) == isWeakFirst;
+        const glm::vec3 radiance =
+          1e4f * (isWeak ? weak * glm::vec3(0.f, 1.f, .5f) : glm::vec3(1.f, 0.f, 0.f));
+        const glm::vec3 at = positions[i];
+        AddGrid(scene, at - glm::vec3(.05f, .05f, 0.f), { .1f, 0.f, 0.f }, { 0.f, .1f, 0.f }, 1);
+        MakeEmitter(scene, radiance);
+        exact +=
+          glm::dvec3(radiance) * (.01 * at.z * at.z / (Pi * std::pow(glm::dot(at, at), 2.0)));
+      }
+      const RayScene rays(scene, 1);
+      const Illumination light(rays, {});
+      const double tolerance = .01 * exact.x;
+      int wrong = 0;
+      long long sum = 0;
+      for (int i = 0; i < 2000; ++i)
+      {
+        const glm::vec3 point(
+          1e-4f * static_cast<float>(i % 50), 1e-4f * static_cast<float>(i / 50), 0.f);
+        long long count = 0;
+        const Illumination::SampledLight found =
+          light.EstimateSampledLight(point, Up, tolerance, count);
+        const double limit = std::max(3.0 * tolerance, 4.0 * static_cast<double>(found.Error));
+        const glm::dvec3 off = glm::abs(glm::dvec3(found.Mean) - exact);
+        wrong += std::max(off.x, off.y) > limit ? 1 : 0;
+        sum += count;
+      }
+      EXPECT_EQ(wrong, 0) << weak << " " << isWeakFirst;
+      EXPECT_LE(sum, 70 * 2000) << weak << " " << isWeakFirst;
+    }
   }
 }
 
