@@ -16,6 +16,7 @@
 #include "vtkImageData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -43,23 +44,54 @@ ImageDivision DivideImage(const Scene& scene, bool hasLight, RankGroup& ranks)
     hasLight ? PartsPerRankWithLight : PartsPerRank };
 }
 
-/// Returns the box of the origins of shadow rays of a unit.
-AxisAlignedBox GetReceiverBox(const Surface& surface, std::uint32_t unit)
+/// Returns a bound of the distance from a unit at which shadow rays start, see ComputeLift().
+float GetLargestLift(const Surface& surface, std::uint32_t unit)
 {
-  const AxisAlignedBox box = GetUnitBox(surface, unit);
-  if (surface.Normals.empty() || surface.IsRound())
+  if (surface.Normals.empty() || surface.IsRound() || surface.IsLineOrPoint)
   {
-    return box;
+    return 0.f;
   }
-  const float lift =
-    LargestLift(surface.GetPoints(unit), surface.GetNormals(unit, surface.Normals));
+  if (surface.Instances)
+  {
+    const AxisAlignedBox box = surface.Instances->GetBox(unit);
+    const float diagonal = glm::length(box.High - box.Low); // no edge is longer
+    return std::isfinite(diagonal) ? diagonal : 0.f;
+  }
+  return LargestLift(surface.GetPoints(unit), surface.GetNormals(unit, surface.Normals));
+}
+
+/// Returns the box of the origins of shadow rays.
+AxisAlignedBox Grow(const AxisAlignedBox& box, float lift)
+{
   return { box.Low - lift, box.High + lift };
 }
 
+/// Returns the bounds of a scene, the same on all ranks, with the origins of shadow rays from `selected` units.
+AxisAlignedBox UniteReceivers(const Scene& scene, const AxisAlignedBox& bounds, RankGroup& ranks,
+  const std::vector<std::vector<Units>>& selected)
+{
+  float lift = 0.f;
+  for (std::size_t i = 0; i < selected.size(); ++i)
+  {
+    for (const Units& units : selected[i])
+    {
+      for (const std::uint32_t unit : units)
+      {
+        lift = std::max(lift, GetLargestLift(scene.Surfaces[i], unit));
+      }
+    }
+  }
+  const AxisAlignedBox box = Grow(bounds, lift);
+  double united[6] = { box.Low.x, box.High.x, box.Low.y, box.High.y, box.Low.z, box.High.z };
+  ranks.UniteBounds(united);
+  return { glm::vec3(united[0], united[2], united[4]), glm::vec3(united[1], united[3], united[5]) };
+}
+
 /// Adds to `selected` the units that may cast shadows on those that it contains.
-void AddCastersOfShadows(const Scene& scene, const AxisAlignedBox& bounds, RankGroup& ranks,
+void AddCastersOfShadows(const Scene& scene, const AxisAlignedBox& box, RankGroup& ranks,
   std::vector<std::vector<Units>>& selected)
 {
+  const AxisAlignedBox bounds = UniteReceivers(scene, box, ranks, selected);
   const auto count = static_cast<std::size_t>(ranks.GetCount());
   std::vector<CellMarks> marks(count, CellMarks(bounds));
   for (std::size_t i = 0; i < selected.size(); ++i)
@@ -68,7 +100,8 @@ void AddCastersOfShadows(const Scene& scene, const AxisAlignedBox& bounds, RankG
     {
       for (const std::uint32_t unit : selected[i][rank])
       {
-        marks[rank].Mark(GetReceiverBox(scene.Surfaces[i], unit));
+        const Surface& surface = scene.Surfaces[i];
+        marks[rank].Mark(Grow(GetUnitBox(surface, unit), GetLargestLift(surface, unit)));
       }
     }
   }

@@ -6,9 +6,12 @@
 #include "Scenes/TestScene.h"
 
 #include "vtkActor.h"
+#include "vtkClipPolyData.h"
 #include "vtkCubeSource.h"
+#include "vtkDataArray.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
+#include "vtkPlane.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -31,13 +34,13 @@ namespace
 
 constexpr int Side = 96;
 
-/// A coarse sphere.
-vtkSmartPointer<vtkPolyData> MakeSphere()
+/// A sphere, coarse by default.
+vtkSmartPointer<vtkPolyData> MakeSphere(int theta = 16, int phi = 12, double radius = 1.0)
 {
   vtkNew<vtkSphereSource> source;
-  source->SetThetaResolution(16);
-  source->SetPhiResolution(12);
-  source->SetRadius(1.0);
+  source->SetThetaResolution(theta);
+  source->SetPhiResolution(phi);
+  source->SetRadius(radius);
   source->Update();
   return source->GetOutput();
 }
@@ -64,6 +67,14 @@ Answer CastScene(vtkRenderer* renderer, bool shadows,
       choose(caster);
     }
   });
+}
+
+/// Adds a mesh that only casts shadows.
+void AddHidden(vtkRenderer* renderer, vtkPolyData* mesh)
+{
+  vtkProperty* property = AddMesh(renderer, mesh, true)->GetProperty();
+  property->FrontfaceCullingOn();
+  property->BackfaceCullingOn();
 }
 
 /// Returns the largest difference between the images with and without shadows.
@@ -173,9 +184,7 @@ TEST(SmoothShadows, KeepShadowsOfWhatTouches)
 
   const vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
   vtkProperty* property = AddMesh(renderer, mesh, true)->GetProperty();
-  vtkProperty* floating = AddMesh(renderer, square->GetOutput(), true)->GetProperty();
-  floating->FrontfaceCullingOn();
-  floating->BackfaceCullingOn();
+  AddHidden(renderer, square->GetOutput());
   AddLight(renderer, { 0.0, 9.0, 9.0 });
   LookAlong(renderer, { 0.0, 0.0, -1.0 }, { 0.0, 1.0, 0.0 }, Side, Side);
   const std::vector<double> flat = FindVisibleFractions(renderer, property, VTK_FLAT);
@@ -184,5 +193,64 @@ TEST(SmoothShadows, KeepShadowsOfWhatTouches)
   for (std::size_t i = 0; i < flat.size(); ++i)
   {
     ASSERT_NEAR(smooth[i], flat[i], 0.02) << "pixel " << i;
+  }
+}
+
+// The curved surface of the sphere is outside of the shell: what is between a triangle and its curved surface hides the
+// light. The shell covers all that faces the sun, and more.
+TEST(SmoothShadows, KeepShadowsOfShells)
+{
+  const vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+  AddMesh(renderer, MakeSphere(10, 7), true)->GetProperty()->SetInterpolationToGouraud();
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(-0.5, 0.0, 0.0);
+  plane->SetNormal(1.0, 0.0, 0.0);
+  vtkNew<vtkClipPolyData> shell;
+  shell->SetInputData(MakeSphere(100, 80, 1.04));
+  shell->SetClipFunction(plane);
+  shell->Update();
+  AddHidden(renderer, shell->GetOutput());
+  AddLight(renderer, { 9.0, 0.0, 0.0 });
+  LookAlong(renderer, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 }, Side, Side);
+  for (const glm::dvec3& color : CastScene(renderer, true).Colors)
+  {
+    ASSERT_LE(color.r, Rounding);
+  }
+}
+
+// The wall is beside all ways from the sphere to the light.
+TEST(SmoothShadows, PassWallsBesideALight)
+{
+  const SphereScene scene;
+  scene.Light->SetPosition(3.0, 0.0, 1.0);
+  scene.Light->PositionalOn();
+  scene.Light->SetConeAngle(180.0);
+  vtkNew<vtkPlaneSource> wall;
+  wall->SetOrigin(2.8, -2.0, 1.01);
+  wall->SetPoint1(2.8, 2.0, 1.01);
+  wall->SetPoint2(2.8, -2.0, 3.0);
+  wall->Update();
+  AddHidden(scene.Renderer, wall->GetOutput());
+  EXPECT_LE(LargestShadow(scene.Renderer), Rounding);
+}
+
+// Normals on the other side of the square do not let rays start below it. Nothing else is there to cast a shadow.
+TEST(SmoothShadows, AreNotCastByASquareWithSlantingNormals)
+{
+  vtkNew<vtkPlaneSource> square;
+  square->Update();
+  vtkDataArray* normals = square->GetOutput()->GetPointData()->GetNormals();
+  for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+  {
+    const bool isLeft = square->GetOutput()->GetPoint(i)[0] < 0.0;
+    normals->SetTuple3(i, isLeft ? 0.0 : 0.97, 0.0, isLeft ? 1.0 : -0.24);
+  }
+  for (const double height : { 0.05, 0.15 })
+  {
+    const vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+    AddMesh(renderer, square->GetOutput(), true)->GetProperty()->SetInterpolationToGouraud();
+    AddLight(renderer, { 1.0, 0.0, height });
+    LookAlong(renderer, { 0.0, 0.0, -1.0 }, { 0.0, 1.0, 0.0 }, Side, Side);
+    EXPECT_LE(LargestShadow(renderer), Rounding) << height;
   }
 }

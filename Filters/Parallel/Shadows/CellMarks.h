@@ -68,7 +68,7 @@ public:
 private:
   /// A row of cells along x has one bit for each.
   using Row = std::uint64_t;
-  /// Margin of boxes in cells, more than the distance of the origin of a ray from its surface. This is 1e-5 of
+  /// Margin of boxes in cells, more than the offset of the origin of a ray. This is 1e-5 of
   /// the largest coordinate (RayOriginOffset()), and the origin of coordinates may be at a camera from which the
   /// scene ends at a depth of 34 diagonals (see ComputeAdvance()): 5.9e-4 of the longest side, or 0.038 cells.
   static constexpr double Margin = 0.1;

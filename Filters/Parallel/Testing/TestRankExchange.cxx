@@ -6,11 +6,13 @@
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCamera.h"
+#include "vtkDataArray.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkNew.h"
 #include "vtkPenumbraDistributedRayCaster.h"
 #include "vtkPlaneSource.h"
+#include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
 
@@ -84,6 +86,69 @@ TEST(vtkPenumbraDistributedRayCaster, ReceivesWhatCastsHardShadows)
         GetNumber(image, "Statistics/Exchange/WholeBytes");
     }
     EXPECT_LT(received, 1.2); // all surfaces: 1.6
+  }
+}
+
+// The normals of a square describe a dome, above which shadow rays start. A sphere, which the image does not show,
+// casts a shadow there.
+TEST(vtkPenumbraDistributedRayCaster, ReceivesWhatCastsShadowsAboveCoarseMeshes)
+{
+  const MakeData make = [](int rank, int) {
+    if (rank > 0)
+    {
+      vtkNew<vtkSphereSource> sphere;
+      sphere->SetRadius(0.3);
+      sphere->SetCenter(3.0, 0.0, 1.5);
+      sphere->Update();
+      return vtkSmartPointer<vtkDataObject>(sphere->GetOutput());
+    }
+    vtkNew<vtkPlaneSource> square;
+    square->SetOrigin(-2.0, -2.0, 0.0);
+    square->SetPoint1(2.0, -2.0, 0.0);
+    square->SetPoint2(-2.0, 2.0, 0.0);
+    square->Update();
+    vtkPolyData* const dome = square->GetOutput();
+    for (vtkIdType i = 0; i < dome->GetNumberOfPoints(); ++i)
+    {
+      const double* p = dome->GetPoint(i);
+      dome->GetPointData()->GetNormals()->SetTuple3(i, 0.25 * p[0], 0.25 * p[1], 0.7);
+    }
+    return vtkSmartPointer<vtkDataObject>(dome);
+  };
+  const auto render = [](Caster* caster, vtkPolyData* data) {
+    return Render(caster, {}, [&](Caster* c) {
+      const vtkSmartPointer<vtkRenderer> renderer = MakeRenderer(data, KeepActor);
+      renderer->GetActiveCamera()->SetPosition(0.0, -6.0, 6.0);
+      renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
+      renderer->GetActiveCamera()->SetViewAngle(20.0);
+      auto* light = vtkLight::SafeDownCast(renderer->GetLights()->GetItemAsObject(0));
+      light->SetPositional(false);
+      light->SetPosition(9.0, 0.0, 0.4);
+      c->SetRenderer(renderer);
+      c->ShadowsOn();
+    });
+  };
+  const auto renderParts = [&](int parts) {
+    return Unpack(RunRanks(1,
+      [&](int) {
+        vtkNew<vtkAppendPolyData> append;
+        for (int rank = 0; rank < parts; ++rank)
+        {
+          append->AddInputData(vtkPolyData::SafeDownCast(make(rank, 2)));
+        }
+        append->Update();
+        return Pack(render(vtkNew<vtkPenumbraRayCaster>(), append->GetOutput()));
+      })[0]
+                    .Value);
+  };
+  const Image expected = renderParts(2);
+  EXPECT_TRUE(expected.at("Color") != renderParts(1).at("Color"));
+  for (const RankResult& result : RunRanks(2, [&](int rank) {
+         return Pack(render(
+           vtkNew<vtkPenumbraDistributedRayCaster>(), vtkPolyData::SafeDownCast(make(rank, 2))));
+       }))
+  {
+    ExpectSame(Unpack(result.Value), expected);
   }
 }
 

@@ -58,9 +58,9 @@ glm::vec3 LightingNormal(const Surface& surface, const Hit& hit, glm::vec3 weigh
   return normal;
 }
 
-/// Returns the vector from a hit to the curved surface of its triangle, on the side of its shading normal. Returns none
-/// if the triangle has no normals, or they are not on the side of the ray's origin.
-std::optional<glm::vec3> ComputeLift(
+/// Returns the distance from a hit to the curved surface of its triangle, on the side of the ray's origin. Returns none
+/// without normals, or if the shading normal is on the other side.
+std::optional<float> FindLift(
   const Surface& surface, const Hit& hit, glm::vec3 weights, const ShadedHit& shaded)
 {
   if (surface.Normals.empty() || surface.IsRound() || surface.IsLineOrPoint ||
@@ -74,7 +74,8 @@ std::optional<glm::vec3> ComputeLift(
   {
     std::transform(normals.begin(), normals.end(), normals.begin(), std::negate<>());
   }
-  return LiftToSmoothSurface(surface.GetPoints(hit.Primitive), normals, weights);
+  return ComputeLift(
+    surface.GetPoints(hit.Primitive), normals, weights, glm::normalize(shaded.GeometricNormal));
 }
 
 }
@@ -182,7 +183,7 @@ ShadedHit Shading::Shade(const Ray& ray, const Hit& hit, long long& shadowRays,
   shaded.Normal = LightingNormal(surface, hit, weights, front, shaded.GeometricNormal, forward);
   if (this->Shadows && terms != Terms::Emission)
   {
-    shaded.Lift = ComputeLift(surface, hit, weights, shaded);
+    shaded.Lift = FindLift(surface, hit, weights, shaded);
   }
   const PhongCoefficients* coefficients = front ? &material.Front : &material.Back;
   PhongCoefficients modified = *coefficients;
@@ -356,30 +357,32 @@ glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhysicallyBased& material,
 }
 
 // Where light is nearly along a triangle or behind it, but not behind the curved surface, rays start at the latter: the
-// triangle and its neighbors would shadow it along their edges. Elsewhere they start at the triangle, because other
-// surfaces may touch it.
+// triangle and its neighbors would shadow it along their edges. Elsewhere, and where something is between the triangle
+// and the curved surface, they start at the triangle.
 float Shading::ComputeVisibility(std::size_t light, glm::vec3 point, glm::vec3 direction,
   float distance, const ShadedHit& shaded, glm::vec3 reflected, long long& shadowRays,
   PenumbraSampling* penumbrae) const
 {
-  glm::vec3 up = glm::normalize(shaded.GeometricNormal);
-  const float lifted = GetLiftedFraction(glm::dot(direction, up));
-  if (shaded.Lift && lifted > 0.f)
+  const Light& source = this->Rays.GetScene().Lights[light];
+  const glm::vec3 geometric = glm::normalize(shaded.GeometricNormal);
+  glm::vec3 up = geometric;
+  const float lifted = shaded.Lift ? GetLiftedFraction(glm::dot(direction, geometric)) : 0.f;
+  const Ray lift{ point + RayOriginOffset(point) * geometric, geometric, 0.f,
+    lifted * shaded.Lift.value_or(0.f) };
+  if (lifted > 0.f && (!(lift.Far > 0.f) || this->TraceTransmittance(lift, shadowRays) == 1.f))
   {
-    point += lifted * *shaded.Lift;
+    point = lift.Origin + lift.Far * geometric;
     up = shaded.Normal;
+    source.ComputeStrength(point, direction, distance);
+    direction = -direction;
   }
-  if (this->Rays.GetScene().Lights[light].HasSize())
+  if (source.HasSize())
   {
     const float brightness = std::max({ reflected.r, reflected.g, reflected.b });
     return this->SampleVisibleFraction(light, point, up, brightness, shadowRays, penumbrae);
   }
-  if (glm::dot(direction, up) <= 0.f)
-  {
-    return 0.f; // the light is behind the surface
-  }
-  return this->TraceTransmittance(
-    Ray{ point + RayOriginOffset(point) * up, direction, 0.f, distance }, shadowRays);
+  const Ray ray{ point + RayOriginOffset(point) * up, direction, 0.f, distance };
+  return glm::dot(direction, up) > 0.f ? this->TraceTransmittance(ray, shadowRays) : 0.f;
 }
 
 VisibleFraction Shading::ComputeVisibleFraction(const Light& light, glm::vec3 point,

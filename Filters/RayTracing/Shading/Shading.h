@@ -27,8 +27,8 @@ struct ShadedHit
   glm::vec4 Color{ 0.f };           ///< non-premultiplied RGB (not clamped) and opacity
   glm::vec3 Normal{ 0.f };          ///< shading normal (unit), as in VTK's lighting
   glm::vec3 GeometricNormal{ 0.f }; ///< triangle normal, not unit, facing the ray origin
-  /// From the hit to the curved surface, see LiftToSmoothSurface(); empty on flat surfaces, and without shadows.
-  std::optional<glm::vec3> Lift;
+  /// Distance from the hit to the curved surface, see ComputeLift(). Empty without shadows or interpolated normals.
+  std::optional<float> Lift;
   glm::vec3 Reflectance{ 0.f }; ///< diffuse reflectance; 0 on surfaces without lighting
   glm::vec3 Emission{ 0.f };    ///< part of Color that does not depend on lights
 };

@@ -16,35 +16,36 @@
 namespace penumbra
 {
 
-/// Returns the vector from the point of a triangle with the barycentric coordinates `weights` to the curved surface, on
-/// the side of the normals. It is 0 on flat surfaces, on hollow ones, and at corners. `normals`: of any length.
-inline glm::vec3 LiftToSmoothSurface(const std::array<glm::vec3, 3>& points,
-  const std::array<glm::vec3, 3>& normals, glm::vec3 weights)
+/// Returns the distance from the point of a triangle with the barycentric coordinates `weights` to the curved surface,
+/// along `up`, the normal of the triangle (unit). It is 0 where the surface is flat or hollow, and at corners.
+/// `normals`: of any length; those that are not on the side of `up` do not count.
+inline float ComputeLift(const std::array<glm::vec3, 3>& points,
+  const std::array<glm::vec3, 3>& normals, glm::vec3 weights, glm::vec3 up)
 {
   const glm::vec3 point = weights[0] * points[0] + weights[1] * points[1] + weights[2] * points[2];
-  glm::vec3 lift(0.f);
+  float lift = 0.f;
   for (int i = 0; i < 3; ++i)
   {
     const glm::vec3 normal = normals[static_cast<std::size_t>(i)];
     const float height = glm::dot(point - points[static_cast<std::size_t>(i)], normal);
-    if (height < 0.f)
+    const float cosine = glm::dot(normal, up);
+    if (height < 0.f && cosine > 0.f)
     {
-      lift -= weights[i] * height / glm::dot(normal, normal) * normal;
+      lift -= weights[i] * height * cosine / glm::dot(normal, normal);
     }
   }
-  const bool isFinite = glm::dot(lift, lift) <= std::numeric_limits<float>::max();
-  return isFinite ? lift : glm::vec3(0.f);
+  return lift <= std::numeric_limits<float>::max() ? lift : 0.f;
 }
 
-/// Returns the part of this vector by which shadow rays start above the triangle. `cosine`: of the light to the normal
-/// of the triangle. Larger values of TerminatorCosine move contact shadows on coarse meshes, smaller ones leave teeth.
+/// Returns the part of this distance by which shadow rays start above the triangle. `cosine`: of the light to its
+/// normal. Larger values of TerminatorCosine move contact shadows on coarse meshes, smaller ones leave teeth.
 inline float GetLiftedFraction(float cosine)
 {
   constexpr float TerminatorCosine = 0.1f;
   return std::clamp(2.f - cosine / TerminatorCosine, 0.f, 1.f);
 }
 
-/// Returns a bound of the length of this vector, for all points of the triangle and both sides.
+/// Returns a bound of this distance for all points of the triangle, on both sides.
 inline float LargestLift(
   const std::array<glm::vec3, 3>& points, const std::array<glm::vec3, 3>& normals)
 {
