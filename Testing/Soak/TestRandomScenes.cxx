@@ -33,13 +33,14 @@ TEST_P(RandomScenes, AreDrawnWithinTheToleranceAndLikeVTK)
   EXPECT_TRUE(image.Finite);
   EXPECT_EQ(image.Values.Colors, CastScene(scene, false, 2).Values.Colors);
   const CastImage plain = CastScene(scene, true);
-#ifndef __SANITIZE_ADDRESS__ // which checks the code, not numbers
+#ifndef __SANITIZE_ADDRESS__                             // which checks the code, not numbers
+  const double factor = GetParam() == 93306 ? 1.0 : 2.0; // its error was 1 to 2 times the limit
   int misjudged = 0;
   const penumbra::StratifiedReference reference = DrawReference(scene, 1);
   for (const auto& tile : penumbra::CompareTiles(image.Values, reference, ImageSide))
   {
     misjudged +=
-      scene.ComparesTiles && tile.Error > 2.0 * TileLimit(scene) && tile.Estimate < tile.Error;
+      scene.ComparesTiles && tile.Error > factor * TileLimit(scene) && tile.Estimate < tile.Error;
   }
   EXPECT_EQ(misjudged, 0);
   if (scene.ComparesWithVTK && plain.Warnings.empty())

@@ -160,24 +160,43 @@ TEST(OcclusionInScenes, IsRestoredAfterResizingAndReleasingResources)
   EXPECT_LT(Rms(scene.Array("AmbientOcclusion"), first), 0.01);
 }
 
-TEST(OcclusionInScenes, LeaksNoMemoryWhenToggled500Times)
+/// A scene whose pass is added, rendered and removed.
+struct ToggledScene : OcclusionScene
 {
-  OcclusionScene scene(64, 48);
-  AddSphereBeforeWall(scene);
-  scene.Window->Render();
-  const std::vector<int> plain = scene.Image();
-  const auto toggle = [&](int times) {
+  ToggledScene()
+    : OcclusionScene(64, 48)
+  {
+    AddSphereBeforeWall(*this);
+    this->Window->Render();
+  }
+
+  /// Returns the number of OpenGL objects after it.
+  auto Toggle(int times)
+  {
     for (int time = 0; time < times; ++time)
     {
-      scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
-      scene.Window->Render();
-      vtkPenumbraTemporalSSAOPass::RemoveFrom(scene.Renderer);
+      this->AddOcclusionPass(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+      this->Window->Render();
+      vtkPenumbraTemporalSSAOPass::RemoveFrom(this->Renderer);
     }
     return CountObjects();
-  };
-  const auto before = toggle(5);
+  }
+};
+
+TEST(OcclusionInScenes, ReleasesItsObjectsWhenToggled)
+{
+  ToggledScene scene;
+  const auto before = scene.Toggle(5);
+  EXPECT_EQ(scene.Toggle(20), before);
+}
+
+TEST(OcclusionInScenes, LeaksNoMemoryWhenToggled500Times)
+{
+  ToggledScene scene;
+  const std::vector<int> plain = scene.Image();
+  const auto before = scene.Toggle(5);
   const double bytes = penumbra::BytesInUse();
-  EXPECT_EQ(toggle(495), before);
+  EXPECT_EQ(scene.Toggle(495), before);
   // Mesa caches up to 2.7 MB. A leak of one texture per iteration would take 6 MB.
   EXPECT_LT(penumbra::BytesInUse() - bytes, 4e6);
   scene.Window->Render();

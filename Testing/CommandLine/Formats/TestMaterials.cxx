@@ -69,6 +69,7 @@ TEST(Mtl, MissingMaterialsCauseOneWarning)
   EXPECT_EQ(outcome.Status, 0);
   EXPECT_NE(outcome.Errors.find("its material 'a' is in none of its MTL files"), std::string::npos)
     << outcome.Errors;
+  EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
 }
 
 TEST(Vrml, ColorsOfVerticesAreDrawn)
