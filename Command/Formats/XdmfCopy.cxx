@@ -24,11 +24,37 @@ namespace fs = std::filesystem;
 constexpr std::string_view SecureNamespace = "https://www.w3.org/2001/XInclude";
 constexpr std::string_view Namespace = "http://www.w3.org/2001/XInclude";
 
+/// Replaces a part of a text everywhere.
+std::string Replace(std::string text, std::string_view part, std::string_view by)
+{
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + by.size()))
+  {
+    text.replace(at, part.size(), by);
+  }
+  return text;
+}
+
+/// Returns where the next item of data begins; npos if there is none. Items in comments do not count.
+std::size_t FindItem(std::string_view text, std::size_t from)
+{
+  const std::size_t item = text.find("<DataItem", from);
+  for (std::size_t comment = text.find("<!--", from); comment < item;
+       comment = text.find("<!--", from))
+  {
+    from = text.find("-->", comment);
+    if (from == text.npos || from > item)
+    {
+      return from == text.npos ? from : FindItem(text, from);
+    }
+  }
+  return item;
+}
+
 /// Returns the relative names of files with data in `text`, which are parts of it, in order.
 std::vector<std::string_view> FindDataFiles(std::string_view text)
 {
   std::vector<std::string_view> names;
-  for (std::size_t at = text.find("<DataItem"); at != text.npos; at = text.find("<DataItem", at))
+  for (std::size_t at = FindItem(text, 0); at != text.npos; at = FindItem(text, at))
   {
     const std::size_t end = text.find('>', at);
     if (end == text.npos)
@@ -48,8 +74,7 @@ std::vector<std::string_view> FindDataFiles(std::string_view text)
       begin == text.npos ? std::string_view() : text.substr(begin, text.find('<', begin) - begin);
     name = name.substr(0, isHdf ? name.find(':') : name.find_last_not_of(blanks) + 1);
     const bool isRelative = !name.empty() && name[0] != '/';
-    // Names without an extension may be drivers, and those with & entities.
-    if (isRelative && name.find('.') != name.npos && name.find('&') == name.npos)
+    if (isRelative && name.find('.') != name.npos) // Names without an extension may be drivers.
     {
       names.push_back(name);
     }
@@ -67,6 +92,10 @@ std::string CopyXdmf(const std::string& path, Appearance*)
   const std::vector<std::string_view> names = FindDataFiles(text);
   for (const std::string_view name : std::set<std::string_view>(names.begin(), names.end()))
   {
+    if (name.find('&') != name.npos)
+    {
+      continue; // an entity of XML
+    }
     std::error_code ignored;
     if (!fs::exists(folder / name, ignored))
     {
@@ -80,30 +109,26 @@ std::string CopyXdmf(const std::string& path, Appearance*)
     return {};
   }
   const std::string copy = CreateTemporaryFile(".xdmf");
+  const std::string written = Replace(Replace((folder / "").string(), "&", "&amp;"), "<", "&lt;");
   std::ofstream stream(copy, std::ios::binary);
   std::string_view rest = text;
   const auto writeUntil = [&](std::string_view part) {
     const auto length = static_cast<std::size_t>(part.data() - rest.data());
-    std::string written(rest.substr(0, length));
-    const std::size_t found = written.find(SecureNamespace);
-    if (found != written.npos)
-    {
-      written.replace(found, SecureNamespace.size(), Namespace);
-    }
-    stream << written;
+    stream << Replace(std::string(rest.substr(0, length)), SecureNamespace, Namespace);
     rest.remove_prefix(length);
   };
   for (const std::string_view name : names)
   {
     writeUntil(name);
-    stream << (folder / "").string(); // The copy is in another folder.
+    stream << written; // The copy is in another folder.
   }
   writeUntil(text.substr(text.size()));
   stream.close();
   if (!stream)
   {
     throw CommandError(BadInput,
-      path + ": its copy cannot be written to " + copy + "; set TMPDIR to another folder");
+      path + ": its copy cannot be written to " +
+        (copy.empty() ? "the folder of temporary files" : copy) + "; set TMPDIR to another folder");
   }
   return copy;
 }

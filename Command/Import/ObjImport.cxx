@@ -279,11 +279,22 @@ private:
   std::map<std::string, vtkSmartPointer<vtkTexture>> Textures;
 };
 
-/// Shows the colors of vertices, if `mesh` has any and the actor has no texture.
-void ShowColors(vtkDataSet* mesh, vtkActor* actor)
+/// Shows the colors of vertices, if `mesh` has any and the actor has no texture. Mapped colors replace the emission.
+void ShowColors(vtkDataSet* mesh, vtkActor* actor, Appearance& appearance)
 {
   if (actor && !actor->GetTexture() && mesh->GetPointData()->GetScalars())
   {
+    if (actor->GetProperty()->GetAmbient() > 0.0)
+    {
+      actor->GetProperty()->SetAmbient(0.0);
+      const std::string warning =
+        "emission of materials (Ke) was left out, because vertices have colors";
+      if (std::find(appearance.Warnings.begin(), appearance.Warnings.end(), warning) ==
+        appearance.Warnings.end())
+      {
+        appearance.Warnings.push_back(warning);
+      }
+    }
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(vtkPolyData::SafeDownCast(mesh));
     mapper->SetScalarModeToUsePointData();
@@ -309,7 +320,7 @@ vtkSmartPointer<vtkDataObject> ImportObj(
     {
       appearance.Actors.push_back(
         leaf->GetPointData()->GetScalars() ? vtkSmartPointer<vtkActor>::New() : nullptr);
-      ShowColors(leaf, appearance.Actors.back());
+      ShowColors(leaf, appearance.Actors.back(), appearance);
     }
     return data;
   }
@@ -333,7 +344,7 @@ vtkSmartPointer<vtkDataObject> ImportObj(
       {
         actor = vtkSmartPointer<vtkActor>::New();
       }
-      ShowColors(leaf, actor);
+      ShowColors(leaf, actor, appearance);
       appearance.Actors.push_back(actor);
     }
   }

@@ -333,21 +333,6 @@ Surfaces ReadSurfaces(const std::string& path, const InputOptions& options)
             ? ": the mesh is empty; choose a file that contains cells or points"
             : ": --slice, --clip, --contour or --threshold leaves nothing; choose other values"));
   }
-  if (surfaces.DroppedPoints > 0)
-  {
-    surfaces.Warnings.push_back(path + ": " + std::to_string(surfaces.DroppedPoints) + " of " +
-      std::to_string(surfaces.Points) +
-      " points are not finite; they and the cells that use them were skipped");
-  }
-  if (surfaces.RoundingStep > 0.0)
-  {
-    std::ostringstream text;
-    text
-      << path << ": coordinates of single precision are rounded to multiples of "
-      << surfaces.RoundingStep
-      << "; subtract an offset from them before they are stored, or store them in double precision";
-    surfaces.Warnings.push_back(text.str());
-  }
   return surfaces;
 }
 

@@ -38,6 +38,10 @@ class Looks(unittest.TestCase):
             code = source[source.index(f'options.Look == "{name}"'):]
             background = re.search(rf"setBackground\(\{{ ({number}), ({number}), ({number}) \}}\)", code)
             self.assertEqual(tuple(map(float, background.groups())), look.background, name)
+            sky = re.search(rf'"--environment-color".*?Vector3\{{ ({number}), ({number}), ({number}) \}}',
+                            code.split("else if")[0], re.DOTALL)
+            self.assertEqual(tuple(map(float, sky.groups())) if sky else None,
+                             look.settings.get("environment_color"), name)
 
     def test_change_the_image_and_return_to_the_plain_one(self):
         plotter = scene()

@@ -112,6 +112,7 @@ public:
       normals.ReflectAbove(frame * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
   }
 
+  /// StartRay() and Turn().
   Ray MakeRay(
     glm::vec3 position, const SurfaceNormals& normals, const glm::mat3& frame, glm::vec2 at) const
   {

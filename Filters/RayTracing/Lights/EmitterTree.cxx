@@ -171,8 +171,9 @@ EmitterTree::EmitterTree(std::vector<Emitter> emitters)
 std::size_t EmitterTree::SplitByColor(std::size_t begin, std::size_t end)
 {
   const auto first = this->Emitters.begin();
-  const glm::vec3 color = this->Emitters[begin].Color;
-  const auto middle = std::stable_partition(first + static_cast<std::ptrdiff_t>(begin),
+  const glm::vec3 color =
+    this->Emitters[begin].Color; // that of its emitter also if it is not a number
+  const auto middle = std::stable_partition(first + static_cast<std::ptrdiff_t>(begin) + 1,
     first + static_cast<std::ptrdiff_t>(end),
     [color](const Emitter& emitter) { return HaveOneColor(emitter.Color, color); });
   return static_cast<std::size_t>(middle - first);

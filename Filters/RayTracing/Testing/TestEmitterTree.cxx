@@ -213,6 +213,8 @@ TEST(EmitterTree, IgnoresEmittersWithoutLight)
     EXPECT_TRUE(EmitterTree({ emitter }).IsEmpty());
   }
   emitter.Strength = 1.f;
+  emitter.Color.y = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(EmitterTree({ emitter, emitter }).IsEmpty());
   emitter.Corners[2] = emitter.Corners[1]; // without area
   EXPECT_TRUE(EmitterTree({ emitter }).IsEmpty());
   EXPECT_EQ(EmitterTree().SampleDirection(glm::vec3(0.f), Up, glm::vec2(.5f)).Density, 0.f);

@@ -37,6 +37,33 @@ TEST(Mtl, EmissionIsTheColorWithoutLight)
   EXPECT_NEAR(pixel[2], 0.25, 1e-3);
 }
 
+TEST(Mtl, ColorsOfVerticesReplaceEmissionWithOneWarning)
+{
+  const Folder folder("colored");
+  WriteText(folder / "square.mtl", "newmtl a\nKd 1 1 1\nKe 0 .1 0\n");
+  WriteText(folder / "square.obj",
+    "mtllib square.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 0 0\nv 0 1 0 1 0 0\nusemtl a\nf 1 "
+    "2 3 4\n");
+  const ProgramResult outcome = RunProgram({ "render", folder / "square.obj", "--output",
+    folder / "square.vti", "--resolution", "40,30", "--light-intensity", "0" });
+  EXPECT_EQ(outcome.Status, 0);
+  EXPECT_NE(outcome.Errors.find("(Ke) was left out"), std::string::npos) << outcome.Errors;
+  EXPECT_EQ(PixelAt(ReadImage(folder / "square.vti"), 20, 15)[0], 0.0);
+}
+
+TEST(Obj, PointsThatAreNotFiniteCauseOneWarning)
+{
+  const Folder folder("nan");
+  WriteText(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv nan 1 0\nf 1 2 3\nf 1 3 4\n");
+  const ProgramResult outcome = RunProgram(
+    { "render", folder / "a.obj", "--output", folder / "a.png", "--resolution", "40,30" });
+  EXPECT_EQ(outcome.Status, 0);
+  const std::size_t first = outcome.Errors.find("points are not finite");
+  EXPECT_NE(first, std::string::npos) << outcome.Errors;
+  EXPECT_EQ(outcome.Errors.find("points are not finite", first + 1), std::string::npos)
+    << outcome.Errors;
+}
+
 TEST(Mtl, OpacityTexturesCauseOneWarning)
 {
   const Folder folder("opacity");
