@@ -31,6 +31,9 @@ namespace
 
 using Json = nlohmann::json;
 
+/// Member of a material without which VTK 9.2 ends the process.
+constexpr const char* ColorsOfMaterial = "pbrMetallicRoughness";
+
 class Copy
 {
 public:
@@ -70,9 +73,12 @@ public:
       const std::string uri = buffer.value("uri", std::string());
       return uri.find_first_of(" \\") != uri.npos && uri.compare(0, 5, "data:") != 0;
     });
+    const Json& materials = ListOf(this->Root, "materials");
+    const bool isIncomplete = std::any_of(materials.begin(), materials.end(),
+      [](const Json& material) { return !material.contains(ColorsOfMaterial); });
     const bool hasScene = this->Root.contains("scenes");
     const bool isQuantized = !FindQuantizedAccessors(this->Root).empty();
-    return this->WasVersion1 || isSparse || isUnusual || !hasScene || isQuantized ||
+    return this->WasVersion1 || isSparse || isUnusual || isIncomplete || !hasScene || isQuantized ||
       this->Root.contains("images") || this->Root.contains("textures") ||
       HasPlainEmission(this->Root) || this->Root.contains("extensionsRequired");
   }
@@ -81,6 +87,10 @@ public:
   {
     UseFirstTextureCoordinates(this->Root, warnings);
     AddEmissionCoordinates(this->Root);
+    for (std::size_t i = 0; i < ListOf(this->Root, "materials").size(); ++i)
+    {
+      this->Root["materials"][i].emplace(ColorsOfMaterial, Json::object());
+    }
   }
 
   /// Makes one buffer and dense accessors.

@@ -60,17 +60,10 @@ void AddEmissionCoordinates(nlohmann::json& root)
         continue;
       }
       Json& accessors = root.at("accessors");
-      // The texture has one color, so that any numbers do: the bytes of the points, which are fractions of 255.
-      Json coordinates = accessors.at(attributes["POSITION"].get<std::size_t>());
-      for (const char* key : { "min", "max", "sparse", "name" })
-      {
-        coordinates.erase(key);
-      }
-      coordinates["componentType"] = 5121;
-      coordinates["normalized"] = true;
-      coordinates["type"] = "VEC2";
+      const Json& points = accessors.at(attributes["POSITION"].get<std::size_t>());
       attributes["TEXCOORD_0"] = accessors.size();
-      accessors.push_back(coordinates);
+      accessors.push_back( // of zeros
+        { { "componentType", 5126 }, { "count", points.at("count") }, { "type", "VEC2" } });
     }
   }
 }
