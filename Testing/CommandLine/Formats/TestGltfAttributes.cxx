@@ -9,6 +9,8 @@
 
 #include "vtkImageData.h"
 
+#include "vtkVersionMacros.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -188,6 +190,9 @@ TEST(GltfAttributes, ImagesOfExtensionsWithoutAlternativesCauseOneWarning)
 
 TEST(GltfAttributes, EmissionNeedsNoTexture)
 {
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+  GTEST_SKIP() << "VTK 9.2 shows no emission without a texture.";
+#endif
   const Folder folder("emission");
   const double factor[] = { 0.4, 0.2, 0.05 };
   for (const double strength : { 1.0, 2.0 })
