@@ -8,7 +8,6 @@
 #include "RenderedImages.h"
 
 #include "vtkImageData.h"
-
 #include "vtkVersionMacros.h"
 
 #include <gtest/gtest.h>
