@@ -8,10 +8,10 @@
 // again from its first frame. The images therefore do not depend on --jobs or on interruptions.
 #include "Engines/Engine.h"
 #include "Engines/RenderOutput.h"
+#include "Files/Placeholders.h"
 #include "Files/Report.h"
 #include "Film/Film.h"
 #include "Options/FrozenOptions.h"
-#include "Options/Placeholders.h"
 #include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"

@@ -4,10 +4,10 @@
 // penumbra render: renders meshes to images.
 #include "Engines/Engine.h"
 #include "Engines/RenderOutput.h"
+#include "Files/Placeholders.h"
 #include "Files/Report.h"
 #include "Files/StandardStreams.h"
 #include "Film/StepInput.h"
-#include "Options/Placeholders.h"
 #include "Options/RenderOptions.h"
 #include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"

@@ -4,8 +4,8 @@
 
 #include "Files/ImageFiles.h"
 #include "Files/InputFiles.h"
+#include "Files/Placeholders.h"
 #include "Options/FrozenOptions.h"
-#include "Options/Placeholders.h"
 #include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilmOptions.h"
 
-#include "Options/Placeholders.h"
+#include "Files/Placeholders.h"
 #include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"
 

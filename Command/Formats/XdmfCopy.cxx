@@ -4,6 +4,7 @@
 
 #include "Files/InputFiles.h"
 #include "Files/MappedFile.h"
+#include "Files/Placeholders.h"
 #include "Files/TemporaryFile.h"
 #include "Processes/CommandError.h"
 
@@ -21,33 +22,23 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view SecureNamespace = "https://www.w3.org/2001/XInclude";
-constexpr std::string_view Namespace = "http://www.w3.org/2001/XInclude";
-
-/// Replaces a part of a text everywhere.
-std::string Replace(std::string text, std::string_view part, std::string_view by)
-{
-  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + by.size()))
-  {
-    text.replace(at, part.size(), by);
-  }
-  return text;
-}
+const std::string SecureNamespace = "https://www.w3.org/2001/XInclude";
+const std::string Namespace = "http://www.w3.org/2001/XInclude";
 
 /// Returns where the next item of data begins; npos if there is none. Items in comments do not count.
 std::size_t FindItem(std::string_view text, std::size_t from)
 {
-  const std::size_t item = text.find("<DataItem", from);
-  for (std::size_t comment = text.find("<!--", from); comment < item;
-       comment = text.find("<!--", from))
+  while (from != text.npos)
   {
-    from = text.find("-->", comment);
-    if (from == text.npos || from > item)
+    const std::size_t item = text.find("<DataItem", from);
+    const std::size_t comment = text.find("<!--", from);
+    if (comment >= item)
     {
-      return from == text.npos ? from : FindItem(text, from);
+      return item;
     }
+    from = text.find("-->", comment);
   }
-  return item;
+  return from;
 }
 
 /// Returns the relative names of files with data in `text`, which are parts of it, in order.
@@ -109,12 +100,13 @@ std::string CopyXdmf(const std::string& path, Appearance*)
     return {};
   }
   const std::string copy = CreateTemporaryFile(".xdmf");
-  const std::string written = Replace(Replace((folder / "").string(), "&", "&amp;"), "<", "&lt;");
+  const std::string written =
+    ReplaceAll(ReplaceAll((folder / "").string(), "&", "&amp;"), "<", "&lt;");
   std::ofstream stream(copy, std::ios::binary);
   std::string_view rest = text;
   const auto writeUntil = [&](std::string_view part) {
     const auto length = static_cast<std::size_t>(part.data() - rest.data());
-    stream << Replace(std::string(rest.substr(0, length)), SecureNamespace, Namespace);
+    stream << ReplaceAll(std::string(rest.substr(0, length)), SecureNamespace, Namespace);
     rest.remove_prefix(length);
   };
   for (const std::string_view name : names)

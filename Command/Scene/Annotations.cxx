@@ -3,7 +3,7 @@
 #include "Annotations.h"
 
 #include "Files/ImageFiles.h"
-#include "Options/Placeholders.h"
+#include "Files/Placeholders.h"
 #include "Options/RenderOptions.h"
 #include "Processes/CommandConstants.h"
 #include "TextFont.h"

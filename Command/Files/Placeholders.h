@@ -18,7 +18,7 @@ inline bool Contains(const std::string& pattern, const std::string& placeholder)
   return pattern.find(placeholder) != std::string::npos;
 }
 
-/// Returns `pattern` with every `placeholder` replaced by `value`.
+/// Returns `pattern` with every `placeholder` replaced by `value`; `placeholder` may be any part of a text.
 inline std::string ReplaceAll(
   std::string pattern, const std::string& placeholder, const std::string& value)
 {
