@@ -20,6 +20,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace penumbra
 {
@@ -60,8 +61,7 @@ glm::vec3 LightingNormal(const Surface& surface, const Hit& hit, glm::vec3 weigh
 
 /// Returns the distance from a hit to the curved surface of its triangle, on the side of the ray's origin. Returns none
 /// without normals, or if the shading normal is on the other side.
-std::optional<float> FindLift(
-  const Surface& surface, const Hit& hit, glm::vec3 weights, const ShadedHit& shaded)
+std::optional<float> FindLift(const Surface& surface, const Hit& hit, const ShadedHit& shaded)
 {
   if (surface.Normals.empty() || surface.IsRound() || surface.IsLineOrPoint ||
     !(glm::dot(shaded.Normal, shaded.GeometricNormal) > 0.f))
@@ -69,6 +69,7 @@ std::optional<float> FindLift(
     return {};
   }
   std::array<glm::vec3, 3> normals = surface.GetNormals(hit.Primitive, surface.Normals);
+  const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
   const glm::vec3 mean = weights.x * normals[0] + weights.y * normals[1] + weights.z * normals[2];
   if (glm::dot(mean, shaded.Normal) < 0.f)
   {
@@ -181,10 +182,6 @@ ShadedHit Shading::Shade(const Ray& ray, const Hit& hit, long long& shadowRays,
   }
   const glm::vec3 forward(scene.ViewCamera.Forward);
   shaded.Normal = LightingNormal(surface, hit, weights, front, shaded.GeometricNormal, forward);
-  if (this->Shadows && terms != Terms::Emission)
-  {
-    shaded.Lift = FindLift(surface, hit, weights, shaded);
-  }
   const PhongCoefficients* coefficients = front ? &material.Front : &material.Back;
   PhongCoefficients modified = *coefficients;
   if (material.Colored)
@@ -238,8 +235,8 @@ ShadedHit Shading::Shade(const Ray& ray, const Hit& hit, long long& shadowRays,
       shaded.Normal, this->DirectionToCamera(point));
     shaded.Normal = model.GetNormal();
     shaded.Emission = glm::vec3(0.f); // only textures emit, which are not sampled
-    rgb =
-      this->ApplyLightsPhysicallyBased(model, shaded, point, diffuseOnly, shadowRays, penumbrae);
+    rgb = this->ApplyLightsPhysicallyBased(
+      model, hit, shaded, point, diffuseOnly, shadowRays, penumbrae);
     shaded.Reflectance *= 1.f - model.GetMetallic();
   }
   else if (this->OneHeadlight)
@@ -255,7 +252,7 @@ ShadedHit Shading::Shade(const Ray& ray, const Hit& hit, long long& shadowRays,
   else
   {
     const glm::vec3 point = pointOfHit();
-    rgb = this->ApplyLights(phong, shaded, point, shadowRays, penumbrae);
+    rgb = this->ApplyLights(phong, hit, shaded, point, shadowRays, penumbrae);
   }
   if (!diffuseOnly && this->UniformLight != glm::vec3(0.f) && !surface.IsLineOrPoint)
   {
@@ -272,8 +269,9 @@ ShadedHit Shading::Shade(const Ray& ray, const Hit& hit, long long& shadowRays,
   return shaded;
 }
 
-glm::vec3 Shading::ApplyLights(const PhongCoefficients& phong, const ShadedHit& shaded,
-  glm::vec3 point, long long& shadowRays, PenumbraSampling* penumbrae) const
+glm::vec3 Shading::ApplyLights(const PhongCoefficients& phong, const Hit& hit,
+  const ShadedHit& shaded, glm::vec3 point, long long& shadowRays,
+  PenumbraSampling* penumbrae) const
 {
   const Scene& scene = this->Rays.GetScene();
   const glm::vec3 towardCamera = this->DirectionToCamera(point);
@@ -292,7 +290,7 @@ glm::vec3 Shading::ApplyLights(const PhongCoefficients& phong, const ShadedHit& 
     }
     if (this->Shadows && light.CastsShadow)
     {
-      strength *= this->ComputeVisibility(i, point, -direction, distance, shaded,
+      strength *= this->ComputeVisibility(i, point, -direction, distance, hit, shaded,
         irradiance * (phong.Diffuse * light.DiffuseColor + phong.Specular * light.SpecularColor),
         shadowRays, penumbrae);
     }
@@ -323,7 +321,7 @@ glm::vec3 Shading::DirectionToCamera(glm::vec3 point) const
   return glm::normalize(glm::vec3(view.Position - advance * view.Forward) - point);
 }
 
-glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhysicallyBased& material,
+glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhysicallyBased& material, const Hit& hit,
   const ShadedHit& shaded, glm::vec3 point, bool diffuseOnly, long long& shadowRays,
   PenumbraSampling* penumbrae) const
 {
@@ -337,7 +335,7 @@ glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhysicallyBased& material,
     float strength = light.ComputeStrength(point, direction, distance);
     if (strength > 0.f && this->Shadows && light.CastsShadow)
     {
-      strength *= this->ComputeVisibility(i, point, -direction, distance, shaded,
+      strength *= this->ComputeVisibility(i, point, -direction, distance, hit, shaded,
         strength * (shaded.Reflectance * light.DiffuseColor), shadowRays, penumbrae);
     }
     if (strength > 0.f)
@@ -360,16 +358,19 @@ glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhysicallyBased& material,
 // triangle and its neighbors would shadow it along their edges. Elsewhere, and where something is between the triangle
 // and the curved surface, they start at the triangle.
 float Shading::ComputeVisibility(std::size_t light, glm::vec3 point, glm::vec3 direction,
-  float distance, const ShadedHit& shaded, glm::vec3 reflected, long long& shadowRays,
-  PenumbraSampling* penumbrae) const
+  float distance, const Hit& hit, const ShadedHit& shaded, glm::vec3 reflected,
+  long long& shadowRays, PenumbraSampling* penumbrae) const
 {
   const Light& source = this->Rays.GetScene().Lights[light];
   const glm::vec3 geometric = glm::normalize(shaded.GeometricNormal);
   glm::vec3 up = geometric;
-  const float lifted = shaded.Lift ? GetLiftedFraction(glm::dot(direction, geometric)) : 0.f;
+  const float lifted = GetLiftedFraction(glm::dot(direction, geometric));
+  const std::optional<float> height = lifted > 0.f
+    ? FindLift(this->Rays.GetScene().Surfaces[hit.Surface], hit, shaded)
+    : std::nullopt;
   const Ray lift{ point + RayOriginOffset(point) * geometric, geometric, 0.f,
-    lifted * shaded.Lift.value_or(0.f) };
-  if (lifted > 0.f && (!(lift.Far > 0.f) || this->TraceTransmittance(lift, shadowRays) == 1.f))
+    lifted * height.value_or(0.f) };
+  if (height && (!(lift.Far > 0.f) || this->TraceTransmittance(lift, shadowRays) == 1.f))
   {
     point = lift.Origin + lift.Far * geometric;
     up = shaded.Normal;

@@ -12,7 +12,6 @@
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace penumbra
@@ -27,10 +26,8 @@ struct ShadedHit
   glm::vec4 Color{ 0.f };           ///< non-premultiplied RGB (not clamped) and opacity
   glm::vec3 Normal{ 0.f };          ///< shading normal (unit), as in VTK's lighting
   glm::vec3 GeometricNormal{ 0.f }; ///< triangle normal, not unit, facing the ray origin
-  /// Distance from the hit to the curved surface, see ComputeLift(). Empty without shadows or interpolated normals.
-  std::optional<float> Lift;
-  glm::vec3 Reflectance{ 0.f }; ///< diffuse reflectance; 0 on surfaces without lighting
-  glm::vec3 Emission{ 0.f };    ///< part of Color that does not depend on lights
+  glm::vec3 Reflectance{ 0.f };     ///< diffuse reflectance; 0 on surfaces without lighting
+  glm::vec3 Emission{ 0.f };        ///< part of Color that does not depend on lights
 };
 
 /// Sampling of lights with a size at one point, and its result.
@@ -138,10 +135,11 @@ private:
 
   static PhongCoefficients MakePhongCoefficients(const Material& material);
   bool IsConstant(const Surface& surface, const SurfaceMaterial& material) const;
-  glm::vec3 ApplyLights(const PhongCoefficients& phong, const ShadedHit& shaded, glm::vec3 point,
-    long long& shadowRays, PenumbraSampling* penumbrae) const;
-  glm::vec3 ApplyLightsPhysicallyBased(const PhysicallyBased& material, const ShadedHit& shaded,
-    glm::vec3 point, bool diffuseOnly, long long& shadowRays, PenumbraSampling* penumbrae) const;
+  glm::vec3 ApplyLights(const PhongCoefficients& phong, const Hit& hit, const ShadedHit& shaded,
+    glm::vec3 point, long long& shadowRays, PenumbraSampling* penumbrae) const;
+  glm::vec3 ApplyLightsPhysicallyBased(const PhysicallyBased& material, const Hit& hit,
+    const ShadedHit& shaded, glm::vec3 point, bool diffuseOnly, long long& shadowRays,
+    PenumbraSampling* penumbrae) const;
   glm::vec3 ComputeAttenuation(const Light& light, glm::vec3 point) const;
   glm::vec3 DirectionToCamera(glm::vec3 point) const;
   float SampleVisibleFraction(std::size_t light, glm::vec3 point, glm::vec3 normal,
@@ -149,7 +147,7 @@ private:
 
   /// Returns the fraction of a light at `distance` that arrives. `reflected`: what the surface reflects of all of it.
   float ComputeVisibility(std::size_t light, glm::vec3 point, glm::vec3 direction, float distance,
-    const ShadedHit& shaded, glm::vec3 reflected, long long& shadowRays,
+    const Hit& hit, const ShadedHit& shaded, glm::vec3 reflected, long long& shadowRays,
     PenumbraSampling* penumbrae) const;
 
   const RayScene& Rays;
