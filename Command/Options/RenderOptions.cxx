@@ -11,7 +11,6 @@
 
 #include "vtkPenumbraKernels.h"
 
-#include <cmath>
 
 namespace penumbra
 {
@@ -35,13 +34,8 @@ void DeclareOutput(const CommandLine& app, RenderOptions& options)
       "normals, ids), or vector graphics: .svg .pdf (ray); {name} renders one image per file")
     .Required();
   const auto storeResolution = [&options](const std::string& text) {
-    const Range sides{ 1.0, 65535.0 };
-    const std::vector<double> numbers = ParseNumbers("--resolution", text, 2, 2, sides);
-    if (numbers[0] != std::floor(numbers[0]) || numbers[1] != std::floor(numbers[1]))
-    {
-      throw InvalidValue("--resolution", "'" + text + "' is not two integers");
-    }
-    options.Resolution = { static_cast<int>(numbers[0]), static_cast<int>(numbers[1]) };
+    const std::vector<int> sides = ParseIntegers("--resolution", text, 2, 1, 65535);
+    options.Resolution = { sides[0], sides[1] };
   };
   app.AddParsed("--resolution", storeResolution, "Width and height in pixels")
     .TypeName("W,H")
@@ -243,7 +237,7 @@ void DeclareRedundant(const CommandLine& app, RenderOptions& options)
   app.AddIgnored("--point-sprites", options.PointSprites);
   // The tolerance decides.
   const auto checkSamples = [](const std::string& text) {
-    ParseNumbers("--raytracing-samples", text, 1, 1, { 1.0, 1e9 });
+    ParseInteger("--raytracing-samples", text, 1, 1000000000);
   };
   app.AddParsed("--raytracing-samples,--samples", checkSamples, "");
 }

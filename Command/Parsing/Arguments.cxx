@@ -114,17 +114,32 @@ std::vector<double> ParseNumbers(const std::string& option, const std::string& t
   return numbers;
 }
 
+std::vector<int> ParseIntegers(
+  const std::string& option, const std::string& text, std::size_t count, int minimum, int maximum)
+{
+  std::vector<int> integers;
+  std::istringstream stream(text + ",");
+  bool valid = text.find_first_of("eE/") == text.npos;
+  for (std::string part; valid && std::getline(stream, part, ',');)
+  {
+    double value = 0.0;
+    valid = ParseNumber(part, value) && value == std::floor(value) && value >= minimum &&
+      value <= maximum;
+    integers.push_back(valid ? static_cast<int>(value) : 0);
+  }
+  if (!valid || integers.size() != count)
+  {
+    const std::string range = std::to_string(minimum) + " to " + std::to_string(maximum);
+    ThrowInvalid(option, text,
+      count == 1 ? "an integer from " + range
+                 : std::to_string(count) + " integers separated by commas, each from " + range);
+  }
+  return integers;
+}
+
 int ParseInteger(const std::string& option, const std::string& text, int minimum, int maximum)
 {
-  double value = 0.0;
-  const bool isDecimal = text.find_first_of("eE/") == text.npos;
-  if (!isDecimal || !ParseNumber(text, value) || value != std::floor(value) || value < minimum ||
-    value > maximum)
-  {
-    ThrowInvalid(option, text,
-      "an integer from " + std::to_string(minimum) + " to " + std::to_string(maximum));
-  }
-  return static_cast<int>(value);
+  return ParseIntegers(option, text, 1, minimum, maximum)[0];
 }
 
 Option AddTriple(const CommandLine& app, const std::string& name, std::optional<Vector3>& target,

@@ -38,7 +38,12 @@ std::string Join(const std::vector<std::string>& texts, const std::string& separ
 std::vector<double> ParseNumbers(const std::string& option, const std::string& text,
   std::size_t minimum, std::size_t maximum, const Range& range);
 
-/// Parses an integer. Throws InvalidValue naming `option`.
+/// Parses `count` integers separated by commas. Exponents and fractions are invalid: 1e2 is likely a mistake.
+/// Throws InvalidValue naming `option`.
+std::vector<int> ParseIntegers(
+  const std::string& option, const std::string& text, std::size_t count, int minimum, int maximum);
+
+/// Parses one integer as ParseIntegers() does.
 int ParseInteger(const std::string& option, const std::string& text, int minimum, int maximum);
 
 ///@{
