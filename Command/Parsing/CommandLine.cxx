@@ -9,15 +9,54 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-
 #include <cstdint>
 #include <iostream>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace penumbra
 {
 
 namespace
 {
+
+/// Returns the number of characters to be inserted, removed or replaced to make one word of the other.
+std::size_t CountEdits(const std::string& a, const std::string& b)
+{
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t(0));
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j)
+    {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = std::exchange(row[j + 1], std::min({ replaced, row[j] + 1, row[j + 1] + 1 }));
+    }
+  }
+  return row.back();
+}
+
+/// Returns the option of `command` that is at most two edits from `option`, or "".
+std::string FindSimilarOption(const CLI::App& command, const std::string& option)
+{
+  std::string best;
+  std::size_t edits = 3;
+  for (const CLI::Option* candidate : command.get_options())
+  {
+    for (const std::string& name : candidate->get_lnames())
+    {
+      const std::size_t count = CountEdits("--" + name, option);
+      if (count < edits)
+      {
+        edits = count;
+        best = "--" + name;
+      }
+    }
+  }
+  return best;
+}
 
 // Converts an error of CLI11 to one line; unknown options and subcommands are named.
 std::string DescribeError(const CLI::App& program, const std::exception& error)
@@ -26,8 +65,8 @@ std::string DescribeError(const CLI::App& program, const std::exception& error)
   const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
   const std::string hint = "; see `penumbra" + command + " --help`";
   const std::vector<std::string> extras = program.remaining(true);
-  const bool noSubcommand = dynamic_cast<const CLI::RequiredError*>(&error) && chosen.empty();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) || (noSubcommand && !extras.empty()))
+  const bool missing = dynamic_cast<const CLI::RequiredError*>(&error);
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) || (missing && !extras.empty()))
   {
     const std::string first = extras.empty() ? "" : extras.front();
     const std::string option = FindShortOption(first.substr(0, first.find('=')));
@@ -37,10 +76,16 @@ std::string DescribeError(const CLI::App& program, const std::exception& error)
     }
     const bool renders = command == " render" || command == " animate";
     const std::string replacement = renders ? FindReplacement(option) : std::string();
-    return replacement.empty() ? option + ": unknown option" + hint
-                               : option + ": an option of F3D; " + replacement + hint;
+    if (!replacement.empty())
+    {
+      return option + ": an option of F3D; " + replacement + hint;
+    }
+    const std::string similar =
+      FindSimilarOption(chosen.empty() ? program : *chosen.front(), option);
+    return option + ": unknown option" +
+      (similar.empty() ? "" : "; did you mean " + similar + "?") + hint;
   }
-  if (noSubcommand)
+  if (missing && chosen.empty())
   {
     return "no subcommand given" + hint;
   }

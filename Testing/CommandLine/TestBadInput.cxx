@@ -488,4 +488,20 @@ TEST(InvalidUsage, NamesUnknownSubcommand)
   EXPECT_NE(RunProgram({}).Errors.find("no subcommand given"), std::string::npos);
 }
 
+// Instead of the required option that is missing because of it.
+TEST(InvalidUsage, NamesUnknownOptionsBeforeMissingOnes)
+{
+  const std::vector<std::vector<std::string>> rows = { { "-o", "image.png" },
+    { "--ouptut", "image.png" }, { "--ouptut=image.png" } };
+  for (const std::vector<std::string>& row : rows)
+  {
+    std::vector<std::string> arguments = { "render", "mesh.stl" };
+    arguments.insert(arguments.end(), row.begin(), row.end());
+    const std::string option = row[0].substr(0, row[0].find('='));
+    EXPECT_EQ(RunProgram(arguments).Errors.rfind("penumbra: " + option + ": ", 0), 0u);
+  }
+  EXPECT_NE(
+    RunProgram({ "render", "mesh.stl" }).Errors.find("--output is required"), std::string::npos);
+}
+
 }
