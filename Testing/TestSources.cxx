@@ -58,7 +58,6 @@ const std::map<std::string, int> LongFiles = {
   { "Filters/RayTracing/Shading/OwenSobolSequence.h", 203 },
   { "Filters/RayTracing/Shading/RayTracingConstants.h", 204 },
   { "Filters/RayTracing/Shading/Shading.h", 168 },
-  { "Filters/Scene/Annotation/ChartPainter.cxx", 524 },
   { "Filters/Scene/Surface.h", 296 },
   { "Rendering/ScreenSpace/Frame/ScreenSpaceConstants.h", 170 },
   { "Rendering/ScreenSpace/Shafts/ShaftViewState.cxx", 532 },
