@@ -278,8 +278,8 @@ void ForEachHit(const TracedSurface& traced, unsigned int primitive, const int* 
     [&](std::uint32_t shape) { ForEachHitOfShape(traced, shape, valid, rays, size, function); });
 }
 
-/// Embree callback: nearest hit. Of equally distant shapes, the first one is hit, so that the
-/// result does not depend on the order of the traversal.
+/// Embree callback: nearest hit. Of equally distant shapes, the last one is hit, as VTK draws it over the
+/// others, so that the result does not depend on the order of the traversal.
 void Intersect(const RTCIntersectFunctionNArguments* args)
 {
   RTCRayN* const rays = RTCRayHitN_RayN(args->rayhit, args->N);
@@ -290,8 +290,8 @@ void Intersect(const RTCIntersectFunctionNArguments* args)
     const auto rounded = static_cast<float>(distance);
     const unsigned int geometry = RTCHitN_geomID(hits, size, i);
     if (rounded == RTCRayN_tfar(rays, size, i) && geometry != RTC_INVALID_GEOMETRY_ID &&
-      (geometry < args->geomID ||
-        (geometry == args->geomID && RTCHitN_primID(hits, size, i) < primitive)))
+      (geometry > args->geomID ||
+        (geometry == args->geomID && RTCHitN_primID(hits, size, i) > primitive)))
     {
       return;
     }

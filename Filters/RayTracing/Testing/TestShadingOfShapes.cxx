@@ -25,6 +25,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVersionMacros.h"
 
 TEST_F(ActorShadingTest, MatchesVTKForConcavePolygonsAndStrips)
@@ -116,6 +117,31 @@ vtkSmartPointer<vtkPolyData> Lines(bool normals)
   return data;
 }
 
+/// VTK approximates the normals of spheres near their outlines. Other colors differ by more than 200.
+constexpr double SphereTolerance = 60.0;
+
+/// A row of points with colors of a number of components; each twice, with different colors, if `twice`.
+vtkSmartPointer<vtkPolyData> ColoredPoints(int components, bool twice)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(components);
+  for (vtkIdType i = 0; i < (twice ? 8 : 4); ++i)
+  {
+    points->InsertNextPoint(.3 * static_cast<double>(i % 4), 0.0, 0.0);
+    cells->InsertNextCell(1, &i);
+    const double color[] = { i < 4 ? 20.0 : 250.0, 60.0 * static_cast<double>(i % 4),
+      i < 4 ? 30.0 : 220.0, 150.0 };
+    colors->InsertNextTuple(color);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetVerts(cells);
+  data->GetPointData()->SetScalars(colors);
+  return data;
+}
+
 }
 
 TEST_F(ActorShadingTest, MatchesVTKForLines)
@@ -189,6 +215,37 @@ TEST_F(ActorShadingTest, MatchesVTKWithVisibleEdgesAndVertices)
   const RasterComparison::Result result = this->Comparison.Compare();
   EXPECT_GE(result.Pixels, 1000);
   EXPECT_LE(result.Different, .2 * result.Pixels);
+}
+
+TEST_F(ActorShadingTest, MatchesVTKForVerticesInThePlaceOfPoints)
+{
+  this->Property()->SetPointSize(20.0);
+  this->Property()->SetVertexColor(.1, .9, .2);
+  this->Property()->VertexVisibilityOn();
+  this->Renderer()->UseDepthPeelingOn();
+  this->Renderer()->SetOcclusionRatio(0.0);
+  this->Comparison.Window->SetAlphaBitPlanes(1);
+  for (const int representation : { VTK_POINTS, VTK_SURFACE })
+  {
+    this->Property()->SetRepresentation(representation);
+    for (const int components : { 3, 4 }) // opaque and translucent points, opaque vertices
+    {
+      this->SetMesh(ColoredPoints(components, false));
+      this->Property()->RenderPointsAsSpheresOff();
+      this->ExpectSameImage(300);
+      this->Property()->RenderPointsAsSpheresOn();
+      this->ExpectSameImage(300, SphereTolerance);
+    }
+  }
+}
+
+TEST_F(ActorShadingTest, MatchesVTKForPointsInOnePlace)
+{
+  this->SetMesh(ColoredPoints(3, true));
+  this->Property()->SetPointSize(20.0);
+  this->ExpectSameImage(300);
+  this->Property()->RenderPointsAsSpheresOn();
+  this->ExpectSameImage(300, SphereTolerance);
 }
 
 TEST_F(ActorShadingTest, MatchesVTKForGlyphs)

@@ -455,7 +455,7 @@ void AddLinesAndPoints(const DrawItem& item, double pixelsPerPoint, Scene& scene
   const bool roundEdges = property->GetRenderLinesAsTubes();
   const bool roundVertices = property->GetRenderPointsAsSpheres();
   const PolygonSlope findSlope = [&](auto... polygon) { return expander.FindSlope(polygon...); };
-  expander.Add(CollectPoints(item, representation == VTK_POINTS),
+  expander.Add(CollectVisiblePoints(item),
     { pointSize, smooth, nullptr, spheres, item.PointRadius, 0.0, item.PointOffset });
   if (representation != VTK_POINTS)
   {

@@ -214,6 +214,16 @@ std::vector<LineSegment> CollectPoints(
   return segments;
 }
 
+std::vector<LineSegment> CollectVisiblePoints(const DrawItem& item)
+{
+  vtkProperty* property = item.Property;
+  const bool haveSize = item.Radii || item.PointRadius > 0.0;
+  const bool areHidden =
+    property->GetVertexVisibility() && property->GetOpacity() >= 1.0 && !haveSize;
+  return areHidden ? std::vector<LineSegment>()
+                   : CollectPoints(item, property->GetRepresentation() == VTK_POINTS);
+}
+
 std::vector<LineSegment> CollectLines(vtkPolyData* data)
 {
   std::vector<LineSegment> segments;

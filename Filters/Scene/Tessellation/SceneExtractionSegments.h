@@ -33,6 +33,10 @@ using PolygonSlope = std::function<double(const vtkIdType*, vtkIdType)>;
 std::vector<LineSegment> CollectPoints(
   const DrawItem& item, bool all, const PolygonSlope& findSlope = {});
 
+/// Returns the points of vertex cells, or of all cells if the representation is VTK_POINTS. Returns none if opaque
+/// vertices of the same shape hide them.
+std::vector<LineSegment> CollectVisiblePoints(const DrawItem& item);
+
 /// Returns the segments of line cells.
 std::vector<LineSegment> CollectLines(vtkPolyData* data);
 
