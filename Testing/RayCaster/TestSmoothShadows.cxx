@@ -9,8 +9,11 @@
 #include "vtkClipPolyData.h"
 #include "vtkCubeSource.h"
 #include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
+#include "vtkPenumbraEnvironment.h"
+#include "vtkPenumbraRayCaster.h"
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -126,6 +129,51 @@ struct SphereScene
 };
 
 constexpr double Rounding = 2.0 / 255.0;
+constexpr double Pi = 3.14159265358979323846;
+
+/// Returns the largest difference of the image from `brightness` times the cosine of the normal to `toward`, the
+/// diffuse light of a small and distant source, over the pixels inside of the outline.
+double LargestDifferenceFromCosine(vtkRenderer* renderer, glm::dvec3 toward, double brightness,
+  const std::function<void(vtkPenumbraRayCaster*)>& choose)
+{
+  vtkNew<vtkPenumbraRayCaster> caster;
+  caster->SetRenderer(renderer);
+  caster->SetResolution(Side, Side);
+  caster->SetLightTolerance(1.0 / 256.0);
+  caster->IndirectLightOn();
+  caster->GeometryArraysOn();
+  choose(caster);
+  caster->Update();
+  vtkPointData* image = caster->GetOutput()->GetPointData();
+  vtkDataArray* colors = image->GetArray("Color");
+  vtkDataArray* normals = image->GetArray("Normal");
+  double largest = 0.0;
+  double brightest = 0.0;
+  for (int y = 1; y + 1 < Side; ++y)
+  {
+    for (int x = 1; x + 1 < Side; ++x)
+    {
+      const vtkIdType i = y * Side + x;
+      bool isInside = true;
+      for (const int neighbor : { -Side, -1, 0, 1, Side })
+      {
+        glm::dvec3 normal;
+        normals->GetTuple(i + neighbor, &normal.x);
+        isInside = isInside && glm::length(normal) > 0.5;
+      }
+      if (isInside)
+      {
+        glm::dvec3 normal;
+        normals->GetTuple(i, &normal.x);
+        const double expected = brightness * std::max(0.0, glm::dot(normal, toward));
+        largest = std::max(largest, std::abs(colors->GetComponent(i, 0) - expected));
+        brightest = std::max(brightest, expected);
+      }
+    }
+  }
+  EXPECT_GT(brightest, 0.7);
+  return largest;
+}
 
 }
 
@@ -167,6 +215,63 @@ TEST(SmoothShadows, EndWhereTheNormalsTurnAwayFromLightsWithASize)
   EXPECT_LE(LargestShadow(scene.Renderer,
               [&](vtkPenumbraRayCaster* caster) { caster->SetLightAngle(2.0 * radius); }),
     std::sin(radius * std::acos(-1.0) / 180.0));
+}
+
+// The sun has four texels of a black map.
+TEST(SmoothShadows, EndWhereTheNormalsTurnAwayFromSunsOfTheEnvironment)
+{
+  const SphereScene scene;
+  scene.Light->SetIntensity(0.0);
+  constexpr int Rows = 256;
+  constexpr double Albedo = 0.8;
+  const double solidAngle = 4.0 * (Pi / Rows) * (Pi / Rows);
+  vtkNew<vtkImageData> map;
+  map->SetDimensions(2 * Rows, Rows, 1);
+  map->AllocateScalars(VTK_FLOAT, 1);
+  map->GetPointData()->GetScalars()->Fill(0.0);
+  for (const int offset : { -1, 0 })
+  {
+    for (const int column : { Rows - 1, Rows })
+    {
+      map->SetScalarComponentFromDouble(
+        column, Rows / 2 + offset, 0, 0, 0.95 * Pi / (Albedo * solidAngle));
+    }
+  }
+  const glm::dvec3 toward = glm::normalize(glm::dvec3(9.0, -4.0, 2.0));
+  vtkNew<vtkPenumbraEnvironment> environment;
+  environment->SetImage(map);
+  environment->SetUp(-2.0, 0.0, 9.0);
+  environment->SetRight(toward.x, toward.y, toward.z);
+  EXPECT_LE(LargestDifferenceFromCosine(scene.Renderer, toward, 0.95,
+              [&](vtkPenumbraRayCaster* caster) {
+                caster->SetEnvironment(environment);
+                caster->SetAlbedo(Albedo);
+              }),
+    2.0 * std::sin(Pi / Rows) + Rounding);
+}
+
+// Where the normals turn away from the center of the emitter, half of it is still visible.
+TEST(SmoothShadows, EndWhereTheNormalsTurnAwayFromEmitters)
+{
+  const SphereScene scene;
+  scene.Light->SetIntensity(0.0);
+  constexpr double Distance = 400.0;
+  constexpr double Radius = 8.0;
+  constexpr double Albedo = 0.8;
+  const glm::dvec3 toward = glm::normalize(glm::dvec3(9.0, -4.0, 2.0));
+  vtkActor* emitter = AddMesh(scene.Renderer, MakeSphere(24, 16, Radius), true);
+  const glm::dvec3 center = Distance * toward;
+  emitter->SetPosition(center.x, center.y, center.z);
+  emitter->GetProperty()->SetDiffuse(0.0);
+  emitter->GetProperty()->SetAmbient(1.0);
+  const double radiance = 0.95 / (Albedo * Radius * Radius / (Distance * Distance));
+  emitter->GetProperty()->SetAmbientColor(radiance, radiance, radiance);
+  EXPECT_LE(LargestDifferenceFromCosine(scene.Renderer, toward, 0.95,
+              [&](vtkPenumbraRayCaster* caster) {
+                caster->SetEnvironmentColor(0.0, 0.0, 0.0);
+                caster->SetAlbedo(Albedo);
+              }),
+    0.05);
 }
 
 // The normals of this cube are its diagonals, so that its curved surface is far above the square that floats before it.

@@ -50,7 +50,7 @@ typename LightTerms<N>::Value EstimateLight(
     {
       packet.Rays[i] = source.MakeRay(layer.Position, normals, frame, sequence.At(first + i));
       packet.Starts[i] = { layer.Position, normals,
-        lights.At(OwenSobolSequence::ShuffleIndex(first + i, seed)) };
+        lights.At(OwenSobolSequence::ShuffleIndex(first + i, seed)), layer.Where };
     }
     long long traced = Size;
     source.Trace(packet, traced);

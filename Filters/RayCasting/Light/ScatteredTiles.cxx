@@ -227,7 +227,7 @@ void LitSamples<N>::AddRays(std::uint32_t seed, std::uint32_t first,
     if constexpr (LightTerms<N>::HasRadiance)
     {
       traced.Starts[traced.Count] = { layer.Position, normals,
-        lights.At(OwenSobolSequence::ShuffleIndex(sample, seed + LightSeed)) };
+        lights.At(OwenSobolSequence::ShuffleIndex(sample, seed + LightSeed)), layer.Where };
     }
     owners[traced.Count++] = i;
   }

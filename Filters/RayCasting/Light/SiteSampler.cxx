@@ -408,7 +408,8 @@ void SiteSampler<N>::QueueRays(
     {
       const std::uint32_t index =
         OwenSobolSequence::ShuffleIndex(request.FirstRay + i, this->Seed + 2 * Halves + half);
-      packet.Starts[packet.Count] = { layer.Position, normals, this->Lights[half].At(index) };
+      packet.Starts[packet.Count] = { layer.Position, normals, this->Lights[half].At(index),
+        layer.Where };
     }
     ++this->TracedRays;
     if (++packet.Count == LightPacket<N>::Size)

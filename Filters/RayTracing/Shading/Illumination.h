@@ -41,6 +41,7 @@ struct LightReceiver
   glm::vec3 Position{ 0.f };
   SurfaceNormals Normals{ glm::vec3(0.f) };
   glm::vec2 Sample{ 0.f };
+  Hit Where; ///< of the surface, where known
 };
 
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT Illumination

@@ -6,6 +6,7 @@
 // edges of shadows hide or show first.
 #include "HemisphereSampling.h"
 #include "Illumination.h"
+#include "LiftedStart.h"
 #include "OwenSobolSequence.h"
 #include "RayTracingConstants.h"
 #include "Scene.h"
@@ -68,13 +69,16 @@ public:
   }
 
   /// Sets a ray of the packet. Returns its weight; 0, without a ray, if the surface does not face the sample.
-  glm::vec3 Aim(std::uint32_t i, const LightReceiver& at)
+  glm::vec3 Aim(std::uint32_t i, const LightReceiver& at, long long& rays)
   {
-    const SurfaceNormals& normals = at.Normals;
     const EnvironmentMap::Sun sun = this->Light.Settings.Map->SampleSun(at.Sample);
-    const float cosine = glm::dot(normals.Shading, sun.Direction);
-    const bool isAbove = cosine > 0.f && glm::dot(normals.Geometric, sun.Direction) > 0.f;
-    this->Packet[i] = isAbove ? SpawnRay(at.Position, normals, sun.Direction) : MakeInactiveRay();
+    const float cosine = glm::dot(at.Normals.Shading, sun.Direction);
+    glm::vec3 start = at.Position;
+    const bool isLifted = cosine > 0.f &&
+      LiftRayStart(this->Light.SurfaceShading, start, at.Where, at.Normals, sun.Direction, rays);
+    const glm::vec3 up = isLifted ? at.Normals.Shading : at.Normals.Geometric;
+    const bool isAbove = cosine > 0.f && glm::dot(up, sun.Direction) > 0.f;
+    this->Packet[i] = isAbove ? SpawnRay(start, up, sun.Direction) : MakeInactiveRay();
     const glm::vec3 weight = isAbove ? cosine / Pi * sun.Weight : glm::vec3(0.f);
     this->Unshadowed[i] = MaximumComponent(weight);
     return weight;
@@ -101,7 +105,7 @@ public:
 
   /// Moves some of the first rays: of a grid of 4 x 4 cells, from outer cells to the end of the row, and from corners
   /// to corners. Rows are those of the map, sampled by the first coordinate. Returns the number of rays.
-  std::uint32_t AimProbes(LightReceiver at, const glm::vec2* samples)
+  std::uint32_t AimProbes(LightReceiver at, const glm::vec2* samples, long long& rays)
   {
     for (std::uint32_t i = 0; i < First; ++i)
     {
@@ -114,7 +118,7 @@ public:
       const bool isCorner = std::abs(2.f * sample.x - 1.f) > 0.5f;
       const Ray ray = this->Packet[i];
       at.Sample = { isCorner ? corner.x : sample.x, corner.y };
-      this->Aim(i, at);
+      this->Aim(i, at, rays);
       if (!IsActive(this->Packet[i]))
       {
         this->Packet[i] = ray;
@@ -146,15 +150,27 @@ public:
   {
   }
 
-  glm::vec3 Aim(std::uint32_t i, const LightReceiver& at)
+  glm::vec3 Aim(std::uint32_t i, const LightReceiver& at, long long& rays)
   {
     const SurfaceNormals& normals = at.Normals;
     EmitterTree::Sample& emitter = this->Samples[i];
     Ray& ray = this->Packet[i];
     ray = Ray();
     ray.Origin = at.Position + RayOriginOffset(at.Position) * normals.Geometric;
-    emitter = this->Light.SampledEmitters->SampleDirection(ray.Origin, normals.Shading, at.Sample);
-    if (!(emitter.Density > 0.f && glm::dot(emitter.Direction, normals.Geometric) > 0.f))
+    const auto sample = [&]() {
+      return this->Light.SampledEmitters->SampleDirection(ray.Origin, normals.Shading, at.Sample);
+    };
+    emitter = sample();
+    glm::vec3 start = at.Position;
+    glm::vec3 up = normals.Geometric;
+    if (emitter.Density > 0.f &&
+      LiftRayStart(this->Light.SurfaceShading, start, at.Where, normals, emitter.Direction, rays))
+    {
+      up = normals.Shading;
+      ray.Origin = start + RayOriginOffset(start) * up;
+      emitter = sample();
+    }
+    if (!(emitter.Density > 0.f && glm::dot(emitter.Direction, up) > 0.f))
     {
       ray = MakeInactiveRay();
       this->Unshadowed[i] = 0.f;
@@ -196,7 +212,7 @@ public:
 
   /// Adds rays to the corners of the unit square; toward one sphere, whose outline is at the end of the first
   /// coordinate, to a hexagon. Returns the number of rays.
-  std::uint32_t AimProbes(LightReceiver at, const glm::vec2*)
+  std::uint32_t AimProbes(LightReceiver at, const glm::vec2*, long long& rays)
   {
     const bool isSphere = this->Light.SampledEmitters->IsSphere();
     const std::uint32_t probes = isSphere ? 6 : 4;
@@ -205,7 +221,7 @@ public:
     {
       at.Sample = isSphere ? glm::vec2(Outline.x, static_cast<float>(i) / 6.f)
                            : FindCorner({ static_cast<float>(i % 2), static_cast<float>(i / 2) });
-      this->Aim(First + i, at);
+      this->Aim(First + i, at, rays);
     }
     return First + probes;
   }
@@ -261,7 +277,7 @@ void Illumination::AddSamples(
   std::array<glm::vec3, PacketSize> carried;
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    weights[i] = source.Aim(i, receivers[i]);
+    weights[i] = source.Aim(i, receivers[i], rays);
   }
   source.Trace(count, carried.data(), rays);
   for (std::uint32_t i = 0; i < count; ++i)
@@ -278,7 +294,7 @@ void Illumination::AddEstimate(const LightReceiver& at, std::uint32_t seed, doub
   static_assert(Source::First <= PacketSize);
   Source source(*this);
   const auto aim = [&](std::uint32_t i, glm::vec2 sample) {
-    return source.Aim(i, { at.Position, at.Normals, sample });
+    return source.Aim(i, { at.Position, at.Normals, sample, at.Where }, rays);
   };
   const OwenSobolSequence sequence(seed);
   std::array<glm::vec3, PacketSize> carried;
@@ -291,7 +307,7 @@ void Illumination::AddEstimate(const LightReceiver& at, std::uint32_t seed, doub
     weights[i] = aim(i, firstSamples[i]);
     unshadowed += source.Unshadowed[i] / Source::First;
   }
-  const std::uint32_t traced = source.AimProbes(at, firstSamples.data());
+  const std::uint32_t traced = source.AimProbes(at, firstSamples.data(), rays);
   source.Trace(traced, carried.data(), rays);
   float least = 1.f;
   float most = 0.f;
@@ -330,7 +346,7 @@ Illumination::SampledLight Illumination::EstimateSampledLight(
   glm::vec3 point, const SurfaceNormals& normals, double tolerance, long long& rays) const
 {
   SampledLight result;
-  const LightReceiver at{ point, normals, glm::vec2(0.f) };
+  const LightReceiver at{ point, normals, glm::vec2(0.f), {} };
   const std::uint32_t seed = MixBits(HashPoint(point, normals.Shading));
   if (this->HasSuns())
   {
@@ -365,7 +381,7 @@ glm::vec3 Illumination::SampleLights(
   {
     const float u = NextFloat(random);
     const float v = NextFloat(random);
-    const LightReceiver receiver{ point, normals, glm::vec2(u, v) };
+    const LightReceiver receiver{ point, normals, glm::vec2(u, v), {} };
     this->SampleLights(&receiver, 1, &estimate, rays);
   }
   return estimate;

@@ -7,8 +7,8 @@
 #include "Shading.h"
 
 #include "Environment/EnvironmentLight.h"
-#include "Geometry/SmoothSurface.h"
 #include "HemisphereSampling.h"
+#include "LiftedStart.h"
 #include "OwenSobolSequence.h"
 #include "PhysicallyBased.h"
 #include "RayTracingConstants.h"
@@ -18,9 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <optional>
 
 namespace penumbra
 {
@@ -57,26 +55,6 @@ glm::vec3 LightingNormal(const Surface& surface, const Hit& hit, glm::vec3 weigh
       break;
   }
   return normal;
-}
-
-/// Returns the distance from a hit to the curved surface of its triangle, on the side of the ray's origin. Returns none
-/// without normals, or if the shading normal is on the other side.
-std::optional<float> FindLift(const Surface& surface, const Hit& hit, const ShadedHit& shaded)
-{
-  if (surface.Normals.empty() || surface.IsRound() || surface.IsLineOrPoint ||
-    !(glm::dot(shaded.Normal, shaded.GeometricNormal) > 0.f))
-  {
-    return {};
-  }
-  std::array<glm::vec3, 3> normals = surface.GetNormals(hit.Primitive, surface.Normals);
-  const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
-  const glm::vec3 mean = weights.x * normals[0] + weights.y * normals[1] + weights.z * normals[2];
-  if (glm::dot(mean, shaded.Normal) < 0.f)
-  {
-    std::transform(normals.begin(), normals.end(), normals.begin(), std::negate<>());
-  }
-  return ComputeLift(
-    surface.GetPoints(hit.Primitive), normals, weights, glm::normalize(shaded.GeometricNormal));
 }
 
 }
@@ -354,26 +332,16 @@ glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhysicallyBased& material, c
   return material.ToDisplayColor(radiance);
 }
 
-// Where light is nearly along a triangle or behind it, but not behind the curved surface, rays start at the latter: the
-// triangle and its neighbors would shadow it along their edges. Elsewhere, and where something is between the triangle
-// and the curved surface, they start at the triangle.
 float Shading::ComputeVisibility(std::size_t light, glm::vec3 point, glm::vec3 direction,
   float distance, const Hit& hit, const ShadedHit& shaded, glm::vec3 reflected,
   long long& shadowRays, PenumbraSampling* penumbrae) const
 {
   const Light& source = this->Rays.GetScene().Lights[light];
-  const glm::vec3 geometric = glm::normalize(shaded.GeometricNormal);
-  glm::vec3 up = geometric;
-  const float lifted = GetLiftedFraction(glm::dot(direction, geometric));
-  const std::optional<float> height = lifted > 0.f
-    ? FindLift(this->Rays.GetScene().Surfaces[hit.Surface], hit, shaded)
-    : std::nullopt;
-  const Ray lift{ point + RayOriginOffset(point) * geometric, geometric, 0.f,
-    lifted * height.value_or(0.f) };
-  if (height && (!(lift.Far > 0.f) || this->TraceTransmittance(lift, shadowRays) == 1.f))
+  const SurfaceNormals normals(shaded.Normal, glm::normalize(shaded.GeometricNormal));
+  glm::vec3 up = normals.Geometric;
+  if (LiftRayStart(*this, point, hit, normals, direction, shadowRays))
   {
-    point = lift.Origin + lift.Far * geometric;
-    up = shaded.Normal;
+    up = normals.Shading;
     source.ComputeStrength(point, direction, distance);
     direction = -direction;
   }
