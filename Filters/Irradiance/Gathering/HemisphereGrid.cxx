@@ -119,4 +119,16 @@ void HemisphereGrid::SubsampleCell(
   }
 }
 
+int HemisphereGrid::FindCell(glm::vec3 direction) const
+{
+  if (direction.z < 0.f)
+  {
+    return -1;
+  }
+  const glm::ivec2 at(
+    InvertUniformDiskConcentric(glm::vec2(direction)) * static_cast<float>(this->Side));
+  const glm::ivec2 in = glm::clamp(at, glm::ivec2(0), glm::ivec2(this->Side - 1));
+  return in.y * this->Side + in.x;
+}
+
 }

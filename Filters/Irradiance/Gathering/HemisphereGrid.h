@@ -38,6 +38,9 @@ struct HemisphereGrid
   void SubsampleCell(
     int cell, int subdivisions, std::uint32_t& random, std::vector<glm::vec3>& directions) const;
 
+  /// Returns the cell that contains `direction`; -1 below the horizon.
+  int FindCell(glm::vec3 direction) const;
+
   /// Returns the shared grid of `side`, which must be in [MinimumSide, MaximumSide].
   VTKPENUMBRAFILTERSIRRADIANCE_EXPORT static const HemisphereGrid& Get(int side);
 };

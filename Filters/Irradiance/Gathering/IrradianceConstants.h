@@ -115,7 +115,7 @@ constexpr double NoiseFraction = 0.5;
 /// Maximum number of parts along each side of a supersampled cell.
 constexpr int MaximumSubdivisions = 12;
 
-/// Maximum number of supersampling rays over the number of cells.
+/// Maximum number of supersampling rays of the first round over the number of cells.
 constexpr double MaximumRayFactor = 3.0;
 
 /// Fractions of the angle between a ray and the horizon of the planar surface that it hit, at which

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RecordPlacement.h"
 
+#include "Gathering/HemisphereRefinement.h"
 #include "Gathering/IrradianceConstants.h"
 #include "Shading/HemisphereSampling.h"
 
@@ -12,60 +13,6 @@ namespace penumbra
 {
 namespace
 {
-
-/// Estimates the variance of the single sample of a cell from its neighbors. The covered fraction
-/// of a cell that a straight boundary cuts has the variance 1/6.
-float EstimateCellVariance(
-  const HemisphereGrid& grid, const std::vector<HemisphereSample>& samples, int cell)
-{
-  const int i = cell % grid.Side;
-  const int j = cell / grid.Side;
-  float maximum = 0.f;
-  for (const int other : { i > 0 ? cell - 1 : cell, i + 1 < grid.Side ? cell + 1 : cell,
-         j > 0 ? cell - grid.Side : cell, j + 1 < grid.Side ? cell + grid.Side : cell })
-  {
-    const glm::vec3 step = glm::abs(samples[other].Radiance - samples[cell].Radiance);
-    maximum = std::max({ maximum, step.x, step.y, step.z });
-  }
-  return maximum * maximum / 6.f;
-}
-
-/// Returns the cell that contains `direction` (local coordinates); -1 below the horizon.
-int FindCell(const HemisphereGrid& grid, glm::vec3 direction)
-{
-  if (direction.z < 0.f)
-  {
-    return -1;
-  }
-  const glm::ivec2 at(
-    InvertUniformDiskConcentric(glm::vec2(direction)) * static_cast<float>(grid.Side));
-  const glm::ivec2 in = glm::clamp(at, glm::ivec2(0), glm::ivec2(grid.Side - 1));
-  return in.y * grid.Side + in.x;
-}
-
-/// Raises the variance of the cells around `direction` (local coordinates), because an emitter of
-/// `strength` may be visible there even if no ray hit it. Without this, the rays of small emitters
-/// would depend on chance hits and such emitters would be too dark on average.
-void RaiseVarianceNearEmitter(
-  const HemisphereGrid& grid, glm::vec3 direction, float strength, std::vector<float>& variances)
-{
-  const int cell = FindCell(grid, direction);
-  if (cell < 0)
-  {
-    return;
-  }
-  const glm::ivec2 center(cell % grid.Side, cell / grid.Side);
-  const glm::ivec2 low = glm::max(center - 1, 0);
-  const glm::ivec2 high = glm::min(center + 1, grid.Side - 1);
-  for (int j = low.y; j <= high.y; ++j)
-  {
-    for (int i = low.x; i <= high.x; ++i)
-    {
-      float& variance = variances[j * grid.Side + i];
-      variance = std::max(variance, strength * strength / 6.f);
-    }
-  }
-}
 
 /// Returns the distance that the point may move until `emitterSample` becomes occluded or
 /// unoccluded: until the nearest projected occluder edge reaches the direction of `emitterSample`.
@@ -106,7 +53,7 @@ double ShadowDistance(const HemisphereGrid& grid, const glm::mat3& frame,
     for (auto emitterSample = begin; emitterSample != end; ++emitterSample)
     {
       const glm::vec3 local = glm::transpose(frame) * emitterSample->Direction;
-      const int cell = FindCell(grid, local);
+      const int cell = grid.FindCell(local);
       fraction += emitterSample->Contribution * std::max(local.z, 0.f);
       if (cell >= 0)
       {
@@ -119,7 +66,7 @@ double ShadowDistance(const HemisphereGrid& grid, const glm::mat3& frame,
     for (auto emitterSample = begin;
          emitterSample != end && seen != blocked && fraction > tolerance; ++emitterSample)
     {
-      const int cell = FindCell(grid, glm::transpose(frame) * emitterSample->Direction);
+      const int cell = grid.FindCell(glm::transpose(frame) * emitterSample->Direction);
       minimum = cell < 0
         ? minimum
         : std::min(minimum, ShadowDistance(directions, samples, *emitterSample, cell));
@@ -127,58 +74,6 @@ double ShadowDistance(const HemisphereGrid& grid, const glm::mat3& frame,
     begin = end;
   }
   return minimum;
-}
-
-/// Returns the number of parts m along each side of each cell for which the sum of variances is at
-/// most `allowed` at minimum cost. m * m rays in a cell that a boundary cuts reduce its variance to
-/// m^-3, so that m^5 in proportion to the variance is optimal.
-std::vector<int> AllocateSubsamples(const std::vector<float>& variances, double allowed)
-{
-  std::vector<int> subdivisions(variances.size(), 1);
-  const double maximum = MaximumRayFactor * static_cast<double>(variances.size());
-  double unit = *std::max_element(variances.begin(), variances.end());
-  while (unit > 0.0)
-  {
-    double rays = 0.0;
-    double sum = 0.0;
-    std::vector<int> parts(variances.size());
-    for (std::size_t i = 0; i < variances.size(); ++i)
-    {
-      const int m = static_cast<int>(std::pow(variances[i] / unit, .2) + .5);
-      parts[i] = std::clamp(m, 1, MaximumSubdivisions);
-      rays += parts[i] > 1 ? parts[i] * parts[i] : 0;
-      sum += variances[i] / std::pow(parts[i], 3.0);
-    }
-    if (rays > maximum)
-    {
-      break;
-    }
-    subdivisions = std::move(parts);
-    if (sum <= allowed)
-    {
-      break;
-    }
-    unit *= .25;
-  }
-  return subdivisions;
-}
-
-/// Averages the next m * m samples of `refined` into `sample`.
-void AverageSubsamples(
-  int m, std::vector<HemisphereSample>::const_iterator& refined, HemisphereSample& sample)
-{
-  const auto fraction = 1.f / static_cast<float>(m * m);
-  sample.Radiance = glm::vec3(0.f);
-  for (int k = 0; k < m * m; ++k, ++refined)
-  {
-    sample.Radiance += fraction * refined->Radiance;
-    if (refined->Distance < sample.Distance)
-    {
-      sample.Distance = refined->Distance;
-      sample.Normal = refined->Normal;
-    }
-  }
-  sample.Variance = 1.f / static_cast<float>(m * m * m);
 }
 
 /// Returns true if `cell` hits a planar surface and a neighboring cell lies beyond its horizon.
@@ -282,7 +177,9 @@ std::optional<Record> RecordPlacement::Gather(const RecordCandidate& site, long 
     }
     if (this->Settings.Refine && !this->Source.SamplesGridAtOnce())
     {
-      rays += this->SupersampleCells(site, frame, grid, emitterSamples, samples);
+      SampledHemisphere hemisphere{ site.Position, site.GetNormals(), frame, grid, samples };
+      rays += RefineHemisphere(
+        this->Source, hemisphere, emitterSamples, NoiseFraction * this->GetAbsoluteTolerance());
     }
     if (side >= this->Settings.Side)
     {
@@ -328,52 +225,6 @@ std::optional<Record> RecordPlacement::Gather(const RecordCandidate& site, long 
   // A larger distance would include parallel surfaces, such as the floors of shallow pockets.
   record.MaximumPlaneDistance = site.Pixel;
   return record;
-}
-
-long long RecordPlacement::SupersampleCells(const RecordCandidate& site, const glm::mat3& frame,
-  const HemisphereGrid& grid, const std::vector<EmitterSample>& emitterSamples,
-  std::vector<HemisphereSample>& samples) const
-{
-  std::vector<float> variances(samples.size());
-  for (int cell = 0; cell < grid.Cells(); ++cell)
-  {
-    variances[cell] = EstimateCellVariance(grid, samples, cell);
-  }
-  for (const EmitterSample& emitterSample : emitterSamples)
-  {
-    RaiseVarianceNearEmitter(
-      grid, glm::transpose(frame) * emitterSample.Direction, emitterSample.Strength, variances);
-  }
-  const double allowed = std::pow(NoiseFraction * this->GetAbsoluteTolerance() * grid.Cells(), 2.0);
-  const std::vector<int> subdivisions = AllocateSubsamples(variances, allowed);
-  std::uint32_t random = HashPoint(site.Position, -site.Normal);
-  std::vector<glm::vec3> directions;
-  for (int cell = 0; cell < grid.Cells(); ++cell)
-  {
-    if (subdivisions[cell] > 1)
-    {
-      grid.SubsampleCell(cell, subdivisions[cell], random, directions);
-    }
-  }
-  if (directions.empty())
-  {
-    return 0;
-  }
-  for (glm::vec3& direction : directions)
-  {
-    direction = frame * direction;
-  }
-  std::vector<HemisphereSample> refined;
-  const long long rays = this->Source.Gather(site.Position, site.GetNormals(), directions, refined);
-  std::vector<HemisphereSample>::const_iterator next = refined.begin();
-  for (int cell = 0; cell < grid.Cells(); ++cell)
-  {
-    if (subdivisions[cell] > 1)
-    {
-      AverageSubsamples(subdivisions[cell], next, samples[cell]);
-    }
-  }
-  return rays;
 }
 
 long long RecordPlacement::FindOccluderEdges(const RecordCandidate& site,

@@ -88,11 +88,6 @@ public:
   static float ComputeNormalAngle(double tolerance);
 
 private:
-  /// Traces more rays in the cells with the highest estimated variance. Returns the number of rays.
-  long long SupersampleCells(const RecordCandidate& site, const glm::mat3& frame,
-    const HemisphereGrid& grid, const std::vector<EmitterSample>& emitterSamples,
-    std::vector<HemisphereSample>& samples) const;
-
   /// Traces rays that find the edges of planar surfaces that seem to end at their horizon. Returns
   /// the number of rays.
   long long FindOccluderEdges(const RecordCandidate& site, const HemisphereGrid& grid,

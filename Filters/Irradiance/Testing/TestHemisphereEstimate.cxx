@@ -292,3 +292,45 @@ TEST(HemisphereEstimate, MatchGradientAndHessianOfWallWithFalloff)
     }
   }
 }
+
+TEST(HemisphereEstimate, IncludeNarrowStrips)
+{
+  // A strip over the hemisphere is a strip of the unit disk, of half the width of a cell.
+  constexpr int Side = 12;
+  constexpr float Width = .5f * 2.f / Side;
+  RecordOctree tree;
+  RecordPlacementSettings settings;
+  settings.Side = Side;
+  settings.Refine = true;
+  settings.Tolerance = .004;
+  std::uint32_t random = 1;
+  double sum = 0.0;
+  double squares = 0.0;
+  double exact = 0.0;
+  constexpr int Count = 400;
+  for (int i = 0; i < Count; ++i)
+  {
+    const float angle = 6.2831853f * NextFloat(random);
+    const glm::vec3 across(std::cos(angle), std::sin(angle), 0.f);
+    const float low = -.9f + 1.7f * NextFloat(random);
+    const ShapeGatherer strip([&](glm::vec3, glm::vec3 direction) {
+      HemisphereSample sample;
+      const float at = glm::dot(direction, across);
+      sample.Distance = at > low && at < low + Width ? 10.f : sample.Distance;
+      return sample;
+    });
+    RecordCandidate site;
+    site.Position = { .01f * static_cast<float>(i), 0.f, 0.f };
+    site.Pixel = 1.f;
+    long long rays = 0;
+    const double found =
+      RecordPlacement(strip, settings, tree).Gather(site, rays).value().Gathered.Mean.x;
+    const auto area = [](double x) { return x * std::sqrt(1.0 - x * x) + std::asin(x); };
+    const double occlusion = (area(low + Width) - area(low)) / 3.14159265358979;
+    sum += found - occlusion;
+    squares += std::pow(found - occlusion, 2.0);
+    exact += occlusion;
+  }
+  EXPECT_LT(std::abs(sum), .02 * exact);
+  EXPECT_LT(std::sqrt(squares / Count), .1 * exact / Count);
+}
