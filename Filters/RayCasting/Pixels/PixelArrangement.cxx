@@ -19,6 +19,10 @@ constexpr double Epsilon = 1e-10;
 // Epsilon by the slope of its segment.
 constexpr double MinimumOpening = 1e-6;
 
+// Segments of a smaller width are made vertical: a crossing near the end of a steep one would be closer than Epsilon
+// to that end.
+constexpr double MinimumWidth = 1e-5;
+
 // Returns the y of the segment at x. Events are precise to Epsilon, by which the height of a steep
 // segment may change a lot, so that it would leave its own end.
 double ComputeHeight(const PixelSegment& s, double x)
@@ -109,6 +113,7 @@ glm::dvec2 PixelArrangement::Trapezoid::Centroid() const
 
 bool PixelArrangement::Build(const PixelSegment* segments, int count, const Limits& limits)
 {
+  segments = this->MakeVertical(segments, count);
   if (!this->CollectEvents(segments, count, limits.Crossings) ||
     !this->CutSlabs(segments, count, limits.Trapezoids))
   {
@@ -117,6 +122,57 @@ bool PixelArrangement::Build(const PixelSegment* segments, int count, const Limi
   this->JoinSlabs(segments, count);
   this->CollectFaces();
   return true;
+}
+
+// Moves the ends of all segments within the width of a steep one to its middle, or to the side of the pixel, so that
+// connected ends remain connected.
+const PixelSegment* PixelArrangement::MakeVertical(const PixelSegment* segments, int count)
+{
+  std::vector<glm::dvec2>& widths = this->Barriers;
+  widths.clear();
+  for (int i = 0; i < count; ++i)
+  {
+    const auto [low, high] = std::minmax(segments[i].A.x, segments[i].B.x);
+    if (high > low && high - low < MinimumWidth)
+    {
+      widths.emplace_back(low, high);
+    }
+  }
+  if (widths.empty())
+  {
+    return segments;
+  }
+  std::sort(widths.begin(), widths.end(),
+    [](const glm::dvec2& a, const glm::dvec2& b) { return a.x < b.x; });
+  std::size_t kept = 0;
+  for (const glm::dvec2& width : widths)
+  {
+    if (kept > 0 && width.x <= widths[kept - 1].y + Epsilon)
+    {
+      widths[kept - 1].y = std::max(widths[kept - 1].y, width.y);
+    }
+    else
+    {
+      widths[kept++] = width;
+    }
+  }
+  widths.resize(kept);
+  this->Vertical.assign(segments, segments + count);
+  const auto move = [&](double& x) {
+    const auto next = std::upper_bound(widths.begin(), widths.end(), x + Epsilon,
+      [](double value, const glm::dvec2& width) { return value < width.x; });
+    if (next != widths.begin() && x <= next[-1].y + Epsilon)
+    {
+      const auto [low, high] = std::minmax(next[-1].x, next[-1].y);
+      x = low < Epsilon ? 0.0 : high > 1.0 - Epsilon ? 1.0 : 0.5 * (low + high);
+    }
+  };
+  for (PixelSegment& segment : this->Vertical)
+  {
+    move(segment.A.x);
+    move(segment.B.x);
+  }
+  return this->Vertical.data();
 }
 
 bool PixelArrangement::CollectEvents(

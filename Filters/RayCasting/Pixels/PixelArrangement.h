@@ -92,6 +92,7 @@ public:
   }
 
 private:
+  const PixelSegment* MakeVertical(const PixelSegment* segments, int count);
   bool CollectEvents(const PixelSegment* segments, int count, std::size_t maximumCrossings);
   bool CutSlabs(const PixelSegment* segments, int count, std::size_t maximumTrapezoids);
   void JoinSlabs(const PixelSegment* segments, int count);
@@ -107,6 +108,7 @@ private:
     double Center, Left, Right;
   };
 
+  std::vector<PixelSegment> Vertical; ///< segments without steep ones
   std::vector<double> Events;
   std::vector<int> SlabBegin; ///< first trapezoid of each slab, and the end
   std::vector<Trapezoid> Trapezoids;

@@ -99,6 +99,40 @@ TEST(PixelArrangement, SeparatesTheSidesOfACornerWithASteepSide)
   }
 }
 
+TEST(PixelArrangement, SeparatesTheSidesOfASteepSegmentThatCrossesAnotherNearItsEnd)
+{
+  for (const double width : { 0.0, 1e-12, 6e-9, 1e-7, 1e-6, 9e-6 })
+  {
+    for (const double distance : { 0.5, 2e-3, 1e-4 })
+    {
+      const double y = 1.0 - distance;
+      const PixelArrangement arrangement = Arrange({ { { 0.4, -0.2 }, { 0.4 + width, 1.2 } },
+        { { 0.2, y }, { 1.8, y } }, { { 0.2, -1.0 }, { 0.2, y } } });
+      const std::vector<double> areas = SortedAreas(arrangement);
+      ASSERT_EQ(areas.size(), 4u) << width << " " << distance;
+      std::vector<double> expected = { 0.2 * y, 0.2 + 0.2 * distance, 0.6 * y, 0.6 * distance };
+      std::sort(expected.begin(), expected.end());
+      for (std::size_t i = 0; i < expected.size(); ++i)
+      {
+        EXPECT_NEAR(areas[i], expected[i], 1e-5);
+      }
+    }
+  }
+}
+
+TEST(PixelArrangement, KeepsSidesOfThePixelClosedNextToSteepSegments)
+{
+  for (const double x : { 0.0, 1.0 })
+  {
+    const PixelArrangement arrangement =
+      Arrange({ { { x - 1e-7, -0.2 }, { x + 1e-7, 1.2 } }, { { -1.0, 0.5 }, { 2.0, 0.5 } } });
+    const std::vector<double> areas = SortedAreas(arrangement);
+    ASSERT_GE(areas.size(), 2u);
+    EXPECT_NEAR(areas[areas.size() - 1], 0.5, 1e-5);
+    EXPECT_NEAR(areas[areas.size() - 2], 0.5, 1e-5);
+  }
+}
+
 TEST(PixelArrangement, KeepsOneFaceAroundOpenSegments)
 {
   EXPECT_EQ(Arrange({ { { 0.2, 0.2 }, { 0.8, 0.7 } } }).GetFaces().size(), 1u);
