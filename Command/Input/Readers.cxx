@@ -253,8 +253,8 @@ const ReaderRow& FindReader(const std::string& path)
 }
 
 /// Reads a file; `appearance`: null if it is not read.
-vtkSmartPointer<vtkDataObject> ReadData(
-  const std::string& path, std::optional<double> time, Appearance* appearance)
+vtkSmartPointer<vtkDataObject> ReadData(const std::string& path, std::optional<double> time,
+  Appearance* appearance, std::vector<std::string>& warnings)
 {
   const ReaderRow& row = FindReader(path);
   CheckFile(path);
@@ -291,7 +291,7 @@ vtkSmartPointer<vtkDataObject> ReadData(
   }
   if (row.Complete)
   {
-    row.Complete(reader, path, data);
+    row.Complete(reader, path, data, warnings);
   }
   return data;
 }
@@ -337,14 +337,17 @@ bool MayHaveLights(const std::string& path)
 vtkSmartPointer<vtkDataObject> ReadScene(
   const std::string& path, std::optional<double> time, Appearance& appearance)
 {
-  const vtkSmartPointer<vtkDataObject> data = ReadData(path, time, &appearance);
+  const vtkSmartPointer<vtkDataObject> data =
+    ReadData(path, time, &appearance, appearance.Warnings);
   const ReaderRow& row = FindReader(path);
   return row.Import ? row.Import(path, data, appearance) : data;
 }
 
-vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path, std::optional<double> time)
+vtkSmartPointer<vtkDataObject> ReadFile(
+  const std::string& path, std::optional<double> time, std::vector<std::string>* warnings)
 {
-  return ReadData(path, time, nullptr);
+  std::vector<std::string> ignored;
+  return ReadData(path, time, nullptr, warnings ? *warnings : ignored);
 }
 
 }

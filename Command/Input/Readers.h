@@ -26,8 +26,10 @@ struct ReaderRow
   std::string ReaderClass;
   vtkSmartPointer<vtkAlgorithm> (*Make)(const std::string& path); ///< null: Read
   vtkSmartPointer<vtkDataObject> (*Read)(const std::string& path) = nullptr;
-  /// Corrects what the algorithm of Make read; null: nothing to correct.
-  void (*Complete)(vtkAlgorithm* reader, const std::string& path, vtkDataObject* data) = nullptr;
+  /// Corrects what the algorithm of Make read, and appends warnings without the name of the file; null: nothing to
+  /// correct.
+  void (*Complete)(vtkAlgorithm* reader, const std::string& path, vtkDataObject* data,
+    std::vector<std::string>& warnings) = nullptr;
   /// Returns a temporary file to read instead, or an empty path; null: reads the file. May set the
   /// Copy of an appearance that is not null.
   std::string (*Prepare)(const std::string& path, Appearance* appearance) = nullptr;
@@ -40,10 +42,10 @@ struct ReaderRow
 
 const std::vector<ReaderRow>& Readers();
 
-/// Reads a file, at a time if it has time steps; default: the first. Throws CommandError, naming the
-/// file, if it cannot be read completely.
-vtkSmartPointer<vtkDataObject> ReadFile(
-  const std::string& path, std::optional<double> time = std::nullopt);
+/// Reads a file, at a time if it has time steps; default: the first. Appends warnings without the name of the file,
+/// if asked for. Throws CommandError, naming the file, if it cannot be read completely.
+vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path,
+  std::optional<double> time = std::nullopt, std::vector<std::string>* warnings = nullptr);
 
 /// Reads a file as ReadFile() and its appearance. Returns the data sets to which
 /// Appearance::Actors belong.

@@ -247,8 +247,9 @@ Surfaces ReadOneFile(const std::string& path, const InputOptions& options)
   try
   {
     Appearance appearance;
-    const vtkSmartPointer<vtkDataObject> data =
-      options.Materials ? ReadScene(path, options.Time, appearance) : ReadFile(path, options.Time);
+    const vtkSmartPointer<vtkDataObject> data = options.Materials
+      ? ReadScene(path, options.Time, appearance)
+      : ReadFile(path, options.Time, &appearance.Warnings);
     return ExtractSurfaces(data, appearance, options.Cuts, path);
   }
   catch (const CommandError&)

@@ -346,7 +346,8 @@ vtkSmartPointer<vtkAlgorithm> MakeNrrdReader(const std::string& path)
   return reader;
 }
 
-void OrientNrrd(vtkAlgorithm* reader, const std::string& path, vtkDataObject* image)
+void OrientNrrd(
+  vtkAlgorithm* reader, const std::string& path, vtkDataObject* image, std::vector<std::string>&)
 {
   const NrrdHeader& header = static_cast<NrrdReader*>(reader)->Header;
   if (header.IsKnown)
@@ -369,7 +370,8 @@ vtkSmartPointer<vtkAlgorithm> MakeMetaImageReader(const std::string& path)
   return reader;
 }
 
-void OrientMetaImage(vtkAlgorithm*, const std::string& path, vtkDataObject* image)
+void OrientMetaImage(
+  vtkAlgorithm*, const std::string& path, vtkDataObject* image, std::vector<std::string>&)
 {
   const MetaImageHeader header = ReadMetaImageHeader(path);
   const std::vector<double>& matrix = header.Matrix;
@@ -390,9 +392,15 @@ void OrientMetaImage(vtkAlgorithm*, const std::string& path, vtkDataObject* imag
   SetFrame(image, path, frame);
 }
 
-void OrientNifti(vtkAlgorithm* algorithm, const std::string& path, vtkDataObject* data)
+void OrientNifti(vtkAlgorithm* algorithm, const std::string& path, vtkDataObject* data,
+  std::vector<std::string>& warnings)
 {
   auto* reader = static_cast<vtkNIFTIImageReader*>(algorithm);
+  if (reader->GetTimeDimension() > 1)
+  {
+    warnings.push_back("only the first of " + std::to_string(reader->GetTimeDimension()) +
+      " volumes is shown; write one file per volume");
+  }
   vtkImageData* image = vtkImageData::SafeDownCast(data);
   vtkMatrix4x4* matrix =
     reader->GetSFormMatrix() ? reader->GetSFormMatrix() : reader->GetQFormMatrix();

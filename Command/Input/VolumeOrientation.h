@@ -9,6 +9,7 @@
 #include "vtkSmartPointer.h"
 
 #include <string>
+#include <vector>
 
 class vtkAlgorithm;
 class vtkDataObject;
@@ -24,9 +25,12 @@ vtkSmartPointer<vtkAlgorithm> MakeMetaImageReader(const std::string& path);
 
 /// Each sets origin, spacing and direction of `image`, as read by `reader` from `path`. Throws
 /// CommandError if axes are parallel.
-void OrientMetaImage(vtkAlgorithm* reader, const std::string& path, vtkDataObject* image);
-void OrientNifti(vtkAlgorithm* reader, const std::string& path, vtkDataObject* image);
-void OrientNrrd(vtkAlgorithm* reader, const std::string& path, vtkDataObject* image);
+void OrientMetaImage(vtkAlgorithm* reader, const std::string& path, vtkDataObject* image,
+  std::vector<std::string>& warnings);
+void OrientNifti(vtkAlgorithm* reader, const std::string& path, vtkDataObject* image,
+  std::vector<std::string>& warnings);
+void OrientNrrd(vtkAlgorithm* reader, const std::string& path, vtkDataObject* image,
+  std::vector<std::string>& warnings);
 
 }
 #endif

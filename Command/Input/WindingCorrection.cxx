@@ -101,7 +101,8 @@ void CorrectWinding(vtkPolyData* mesh)
 
 }
 
-void CorrectWindings(vtkAlgorithm*, const std::string&, vtkDataObject* data)
+void CorrectWindings(
+  vtkAlgorithm*, const std::string&, vtkDataObject* data, std::vector<std::string>&)
 {
   CorrectWinding(vtkPolyData::SafeDownCast(data));
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))

@@ -6,6 +6,7 @@
 #define penumbra_WindingCorrection_h
 
 #include <string>
+#include <vector>
 
 class vtkAlgorithm;
 class vtkDataObject;
@@ -16,7 +17,8 @@ namespace penumbra
 /// Reverses the polygons of each data set in which most of them face away from their point normals, or,
 /// without normals, which the transform of its node mirrors. vtkGLTFReader leaves them as they are;
 /// lighting would negate the normals, and materials hide the front faces.
-void CorrectWindings(vtkAlgorithm* reader, const std::string& path, vtkDataObject* data);
+void CorrectWindings(vtkAlgorithm* reader, const std::string& path, vtkDataObject* data,
+  std::vector<std::string>& warnings);
 
 }
 #endif

@@ -308,6 +308,27 @@ TEST(Volumes, CompressedNiftiIsRead)
   ExpectBounds(folder, { { "a.nii", ".gz", Rotated, ReadText(folder / "packed") } });
 }
 
+TEST(Volumes, OnlyTheFirstOfSeveralIsShownWithAWarning)
+{
+  const Folder folder("steps");
+  std::string bytes = NiftiByMatrix(Rotated);
+  Put<std::int16_t>(bytes, 40, 4);
+  Put<std::int16_t>(bytes, 48, 3);
+  WriteText(folder / "steps.nii", bytes + Values() + Values());
+  for (const std::vector<std::string>& options :
+    { std::vector<std::string>{}, { "--no-materials" } })
+  {
+    std::vector<std::string> arguments = { "render", folder / "steps.nii", "--resolution", "16,16",
+      "--output", folder / "a.png" };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ProgramResult outcome = RunProgram(arguments);
+    EXPECT_EQ(outcome.Status, 0);
+    EXPECT_NE(
+      outcome.Errors.find("steps.nii: only the first of 3 volumes is shown"), std::string::npos)
+      << outcome.Errors;
+  }
+}
+
 TEST(Volumes, ParallelAxesAreRefused)
 {
   const Folder folder("axes");
