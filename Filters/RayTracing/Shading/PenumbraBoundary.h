@@ -10,6 +10,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -60,10 +61,13 @@ private:
 class PenumbraBoundary
 {
 public:
+  /// A coarser boundary does not pass its checks, and samples take more rays (measured).
+  static constexpr float LargestTolerance = 0.03f;
+
   PenumbraBoundary(const DiskVisibility& visibility, std::uint32_t seed, float tolerance)
     : Visibility(visibility),
       Seed(seed),
-      Tolerance(tolerance)
+      Tolerance(std::min(tolerance, LargestTolerance))
   {
   }
 

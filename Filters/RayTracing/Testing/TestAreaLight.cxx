@@ -102,6 +102,20 @@ TEST(VisibleFraction, OfDiskIsWithinTolerance)
   }
 }
 
+TEST(VisibleFraction, OfDiskTakesNoMoreRaysWithALargerTolerance)
+{
+  for (const float radius : { 0.4f, 0.8f, 1.5f })
+  {
+    const auto measure = [=](float tolerance) {
+      return Measure(2000, tolerance,
+        [=](std::uint32_t& random, double& exact) { return MakeDisk(radius, random, exact); });
+    };
+    const double rays = measure(0.03f).Rays;
+    EXPECT_LE(measure(0.1f).Rays, rays) << radius;
+    EXPECT_LE(measure(1.f).Rays, rays) << radius;
+  }
+}
+
 TEST(VisibleFraction, OfCombHasBoundedError)
 {
   // A comb with three teeth of random phase.
