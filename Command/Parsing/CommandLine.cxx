@@ -38,24 +38,35 @@ std::size_t CountEdits(const std::string& a, const std::string& b)
   return row.back();
 }
 
-/// Returns the option of `command` that is at most two edits from `option`, or "".
-std::string FindSimilarOption(const CLI::App& command, const std::string& option)
+/// Returns the name that is one or two edits from `word`, begins with it or contains it; or "".
+std::string FindSimilar(const std::vector<std::string>& names, const std::string& word)
 {
-  std::string best;
-  std::size_t edits = 3;
-  for (const CLI::Option* candidate : command.get_options())
+  const std::size_t mostEdits = word.size() < 6 ? 1 : 2;
+  const auto rank = [&](const std::string& name) {
+    const std::size_t edits = CountEdits(name, word);
+    const std::size_t at = name.find(word);
+    return edits <= mostEdits ? edits : at != std::string::npos ? name.size() + 4 * at : at;
+  };
+  const auto best = std::min_element(names.begin(), names.end(),
+    [&](const std::string& a, const std::string& b) { return rank(a) < rank(b); });
+  return best == names.end() || rank(*best) == std::string::npos ? std::string() : *best;
+}
+
+/// Asks for what an unknown option or subcommand resembles.
+std::string Suggest(const CLI::App& command, const std::string& word)
+{
+  std::vector<std::string> names;
+  for (const CLI::App* subcommand : command.get_subcommands({}))
   {
-    for (const std::string& name : candidate->get_lnames())
-    {
-      const std::size_t count = CountEdits("--" + name, option);
-      if (count < edits)
-      {
-        edits = count;
-        best = "--" + name;
-      }
-    }
+    names.push_back(subcommand->get_name());
   }
-  return best;
+  for (const CLI::Option* option : command.get_options())
+  {
+    names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
+  }
+  const bool isOption = word.rfind("--", 0) == 0;
+  const std::string similar = FindSimilar(names, isOption ? word.substr(2) : word);
+  return similar.empty() ? "" : "; did you mean " + (isOption ? "--" + similar : similar) + "?";
 }
 
 // Converts an error of CLI11 to one line; unknown options and subcommands are named.
@@ -72,7 +83,11 @@ std::string DescribeError(const CLI::App& program, const std::exception& error)
     const std::string option = FindShortOption(first.substr(0, first.find('=')));
     if (chosen.empty() && first.rfind('-', 0) != 0)
     {
-      return first + ": unknown subcommand" + hint;
+      return first + ": unknown subcommand" + Suggest(program, first) + hint;
+    }
+    if (first.rfind('-', 0) != 0)
+    {
+      return first + ": unexpected argument" + hint;
     }
     const bool renders = command == " render" || command == " animate";
     const std::string replacement = renders ? FindReplacement(option) : std::string();
@@ -80,10 +95,8 @@ std::string DescribeError(const CLI::App& program, const std::exception& error)
     {
       return option + ": an option of F3D; " + replacement + hint;
     }
-    const std::string similar =
-      FindSimilarOption(chosen.empty() ? program : *chosen.front(), option);
     return option + ": unknown option" +
-      (similar.empty() ? "" : "; did you mean " + similar + "?") + hint;
+      Suggest(chosen.empty() ? program : *chosen.front(), option) + hint;
   }
   if (missing && chosen.empty())
   {

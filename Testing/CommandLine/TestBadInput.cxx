@@ -13,6 +13,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
 
 using namespace penumbra_testing;
 
@@ -486,6 +489,23 @@ TEST(InvalidUsage, NamesUnknownSubcommand)
     RunProgram({ "frobnicate" }).Errors.find("frobnicate: unknown subcommand"), std::string::npos);
   EXPECT_NE(RunProgram({ "--frob" }).Errors.find("--frob: unknown option"), std::string::npos);
   EXPECT_NE(RunProgram({}).Errors.find("no subcommand given"), std::string::npos);
+}
+
+TEST(InvalidUsage, NamesWhatUnknownWordsResemble)
+{
+  const std::vector<std::pair<std::vector<std::string>, std::string>> rows = {
+    { { "rendr", "mesh.stl" }, "rendr: unknown subcommand; did you mean render?" },
+    { { "render", "mesh.stl", "--ouptut", "a.png" }, "did you mean --output?" },
+    { { "render", "mesh.stl", "--background", "1,1,1" }, "did you mean --background-color?" },
+    { { "render", "mesh.stl", "--size", "9,9" }, "did you mean --point-size?" },
+    { { "render", "mesh.stl", "--sparkle" }, "--sparkle: unknown option; see" },
+    { { "info", "mesh.stl" }, "mesh.stl: unexpected argument; see" },
+  };
+  for (const auto& [arguments, expected] : rows)
+  {
+    const std::string errors = RunProgram(arguments).Errors;
+    EXPECT_NE(errors.find(expected), std::string::npos) << errors;
+  }
 }
 
 // Instead of the required option that is missing because of it.
