@@ -38,8 +38,8 @@ void OccupyStandardStreams()
 int Run(int argc, char** argv, const std::vector<Subcommand>& subcommands)
 {
   const Parser parser("penumbra",
-    "Penumbra: fractional visibility for VTK: antialiased ray casting, ambient occlusion, indirect "
-    "light and light shafts",
+    "Penumbra: images of simulation and scan data with exact edges, shadows, ambient occlusion, "
+    "indirect light and light shafts, to an error that you choose",
     std::string("penumbra ") + PENUMBRA_VERSION + " (VTK " + vtkVersion::GetVTKVersion() + ")",
     "Exit status: 0 success, 1 comparison above its threshold, 2 invalid usage or input, 3 "
     "resource not available (OpenGL, memory).\nOptions of a subcommand: penumbra COMMAND --help");

@@ -46,7 +46,7 @@ struct OcclusionConstants
   double InvalidationWeight = 30.0;
 
   /// Relative depth difference from which history is rejected as that of another surface; limited to
-  /// 0.08 radii. 1: history is never rejected, not even at camera cuts.
+  /// 0.08 radii. 1: history that is inside of the image is kept, also at camera cuts, unless depths differ by as much.
   double DepthTolerance = 0.02;
 
   /// If true, pixels below SpatialConvergence are filtered.

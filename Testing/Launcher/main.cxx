@@ -3,7 +3,7 @@
 //
 // main() of every test program: PROGRAM [--gtest_...] [SOURCE...]
 //
-// Runs the tests in each SOURCE, such as TestCamera, or all; but none that the filter of GoogleTest excludes.
+// Runs the tests in each SOURCE, such as TestOverlay, or all; but none that the filter of GoogleTest excludes.
 // Exit status: 77, which CTest shows as skipped, if no test ran or all were skipped.
 #include "Processes/EndProcess.h"
 
