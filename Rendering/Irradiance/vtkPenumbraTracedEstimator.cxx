@@ -5,14 +5,15 @@
 #include "Frame/DelegateImage.h"
 #include "Frame/EyeDepth.h"
 #include "Frame/RendererMap.h"
+#include "Frame/Textures.h"
 #include "Import/SceneModificationTime.h"
 #include "Scene.h"
 #include "Traced/JoinedOcclusion.h"
 #include "Traced/OccluderGeometry.h"
+#include "Traced/RaysInMotion.h"
 #include "Traced/TracedOcclusion.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkPixelBufferObject.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 
@@ -26,59 +27,6 @@ vtkStandardNewMacro(vtkPenumbraTracedEstimator);
 namespace
 {
 
-std::vector<float> ReadTexture(vtkTextureObject* texture)
-{
-  unsigned int size[2] = { texture->GetWidth(), texture->GetHeight() };
-  std::vector<float> values(static_cast<std::size_t>(size[0]) * size[1]);
-  vtkIdType increments[2] = { 0, 0 };
-  auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(texture->Download());
-  buffer->Download2D(VTK_FLOAT, values.data(), size, 1, increments);
-  return values;
-}
-
-/// Expands the means of the traced pixels to a whole image. Pixels that were not traced get -1 - m,
-/// where m is the mean of the traced pixel of their block: a negative value marks a neighbor's mean.
-std::vector<float> ExpandToImage(const std::vector<float>& means,
-  const penumbra::InterleavedPixels& lattice, int width, int height)
-{
-  const int columns = lattice.CountIn(width, lattice.Column);
-  const int rows = lattice.CountIn(height, lattice.Row);
-  std::vector<float> image(static_cast<std::size_t>(width) * height);
-  for (int j = 0; j < height; ++j)
-  {
-    const float* row = means.data() + std::min(j / lattice.Step, rows - 1) * columns;
-    float* target = image.data() + static_cast<std::size_t>(j) * width;
-    for (int i = 0; i < width; ++i)
-    {
-      target[i] = -1.f - row[std::min(i / lattice.Step, columns - 1)];
-    }
-    if (j % lattice.Step == lattice.Row)
-    {
-      for (int i = lattice.Column; i < width; i += lattice.Step)
-      {
-        target[i] = row[i / lattice.Step];
-      }
-    }
-  }
-  return image;
-}
-
-/// Converts rectangles of image pixels to rectangles of lattice points.
-std::vector<penumbra::Rectangle> ConvertToLattice(
-  std::vector<penumbra::Rectangle> parts, const penumbra::InterleavedPixels& lattice)
-{
-  for (penumbra::Rectangle& part : parts)
-  {
-    const int right = part.X + part.Width;
-    const int top = part.Y + part.Height;
-    part.X /= lattice.Step;
-    part.Y /= lattice.Step;
-    part.Width = (right + lattice.Step - 1) / lattice.Step - part.X;
-    part.Height = (top + lattice.Step - 1) / lattice.Step - part.Y;
-  }
-  return parts;
-}
-
 /// Number of independent rays per pixel whose standard error is `error` if half of them are blocked.
 int ComputeEquivalentRays(double error)
 {
@@ -86,52 +34,73 @@ int ComputeEquivalentRays(double error)
   return static_cast<int>(std::clamp(.25 / (error * error), 1.0, static_cast<double>(Maximum)));
 }
 
-/// Side of the blocks of pixels of which one is traced per frame while the view moves. The phases
-/// go around the block diagonally first.
-constexpr int InterleaveStep = 2;
-constexpr int NumberOfPhases = InterleaveStep * InterleaveStep;
-constexpr int PhaseColumn[NumberOfPhases] = { 0, 1, 1, 0 };
-constexpr int PhaseRow[NumberOfPhases] = { 0, 1, 0, 1 };
+/// Number of frames in which each pixel with a long history has one turn, if the frames are sparse.
+constexpr int NumberOfPhases = 4;
 
-/// Index of the first sample of frames in motion, beyond the indices that a static view normally
+/// Indices of the first samples of frames in motion, beyond the indices that a static view normally
 /// reaches.
-constexpr int MotionSequenceStart = 1 << 18;
+constexpr int SparseSequenceStart = 1 << 18;
+constexpr int ShortHistorySequenceStart = 1 << 19;
 
-penumbra::InterleavedPixels PhaseLattice(int phase)
-{
-  return { InterleaveStep, PhaseColumn[phase], PhaseRow[phase] };
-}
+/// Number of samples after which the sequence of pixels with a short history repeats.
+constexpr int ShortHistorySequenceLength = 1 << 20;
 
-/// Largest number of rays per pixel of a frame in motion, a power of two.
+/// Largest number of rays per pixel of a frame without history, a power of two.
 constexpr int MaximumRaysInMotion = 32;
 
 /// Weight of the last frame in the average number of rays per second.
 constexpr double SpeedUpdate = 0.25;
 
+class Stopwatch
+{
+public:
+  double GetSeconds() const
+  {
+    return std::chrono::duration<double>(Clock::now() - this->Start).count();
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point Start = Clock::now();
+};
+
+std::vector<penumbra::Rectangle> WholeImage(int width, int height)
+{
+  return { { 0, 0, width, height } };
+}
+
 /// Surface points of a view, and its occlusion while it is refined.
 struct ViewState
 {
-  long long Version = 0;               ///< of the depths
-  int FramePhase = 0;                  ///< phase of the next frame in motion
-  penumbra::InterleavedPixels Lattice; ///< lattice of Points
+  long long Version = 0; ///< of the depths
   std::vector<penumbra::SurfacePoint> Points;
+  int FramePhase = 0;         ///< phase of the next frame in motion
+  int ShortHistorySample = 0; ///< index of the next sample of pixels with a short history
 
   std::unique_ptr<penumbra::JoinedOcclusion> Joined;
   double Radius = 0.0;      ///< of the request for Joined
   double Tolerance = 0.0;   ///< of the request for Joined
   bool HasNewImage = false; ///< Joined has an image that was not returned
 
-  void UpdatePoints(const vtkPenumbraOcclusionEstimator::Request& request,
-    const penumbra::RayScene& rays, const penumbra::InterleavedPixels& lattice)
+  void UpdatePoints(
+    const vtkPenumbraOcclusionEstimator::Request& request, const penumbra::RayScene& rays)
   {
-    if (this->Version != request.Depth->GetVersion() || !(this->Lattice == lattice))
+    if (this->Version != request.Depth->GetVersion())
     {
-      this->Joined.reset();
-      this->Points = penumbra::ReconstructSurface(ReadTexture(request.Depth->GetCurrent()),
-        request.Image->GetSamples() == 1, request.Depth->GetView(), rays, lattice);
-      this->Lattice = lattice;
+      this->ReconstructPoints(request, rays, penumbra::ReadBack(request.Depth->GetCurrent()));
       this->Version = request.Depth->GetVersion();
     }
+  }
+
+  /// `needed`: flags of the pixels whose points are needed, or null for all.
+  void ReconstructPoints(const vtkPenumbraOcclusionEstimator::Request& request,
+    const penumbra::RayScene& rays, const std::vector<float>& depths,
+    const std::vector<char>* needed = nullptr)
+  {
+    this->Joined.reset();
+    this->Version = 0;
+    penumbra::ReconstructSurface(depths, request.Image->GetSamples() == 1, request.Depth->GetView(),
+      rays, needed, this->Points);
   }
 
   void UpdateJoined(
@@ -148,14 +117,23 @@ struct ViewState
     }
   }
 
+  /// Adds the occlusion of new rays to the sums of the pixels. Returns the number of rays.
+  long long Trace(const vtkPenumbraOcclusionEstimator::Request& request,
+    const penumbra::RayScene& rays, int first, const penumbra::PixelRays& counts,
+    std::vector<float>& sums, int stride = 1) const
+  {
+    penumbra::TracedSamples samples;
+    samples.First = first;
+    samples.Radius = static_cast<float>(request.Radius * rays.GetScene().Scale);
+    return penumbra::TraceOcclusion(
+      this->Points, request.Depth->GetView().Width, rays, samples, counts, sums, stride);
+  }
+
   /// Continues the occlusion until there is an image that was not returned. Returns the number of rays.
   long long Refine(double seconds)
   {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
-    penumbra::WorkLimit limit([&](double) {
-      return std::chrono::duration<double>(Clock::now() - start).count() >= seconds;
-    });
+    const Stopwatch watch;
+    penumbra::WorkLimit limit([&](double) { return watch.GetSeconds() >= seconds; });
     const long long before = this->Joined->GetNumberOfRays();
     this->HasNewImage = this->HasNewImage || this->Joined->Continue(&limit);
     return this->Joined->GetNumberOfRays() - before;
@@ -168,7 +146,7 @@ struct ViewState
 struct vtkPenumbraTracedEstimator::RendererState
 {
   penumbra::OccluderGeometry Geometry;
-  double RaysPerSecond = 0.0; ///< average of frames in motion; 0: unknown
+  double RaysPerSecond = 0.0; ///< average of frames in motion, with their origins; 0: unknown
   std::map<const penumbra::EyeDepth*, ViewState> Views;
 
   /// Returns true if the BVH was rebuilt.
@@ -211,8 +189,9 @@ struct vtkPenumbraTracedEstimator::RendererState
 struct vtkPenumbraTracedEstimator::Internals
 {
   penumbra::RendererMap<RendererState> Renderers;
-  std::vector<float> Means;
-  std::string Warned; ///< last reported prop that rays do not hit
+  std::vector<float> Means;    ///< of the pixels of a frame
+  penumbra::RaysInMotion Rays; ///< of a frame
+  std::string Warned;          ///< last reported prop that rays do not hit
 };
 
 vtkPenumbraTracedEstimator::vtkPenumbraTracedEstimator()
@@ -234,42 +213,78 @@ try
   RendererState& state = this->UpdateRenderer(request);
   ViewState& viewState = state.Views[request.Depth];
   const penumbra::ScreenTransform& view = request.Depth->GetView();
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
-  const int affordable =
-    state.CountAffordableRays(request.Seconds, static_cast<std::size_t>(view.Width) * view.Height);
-  const bool sparse = request.Moving && this->SparseInMotion && affordable == 0 &&
-    view.Width >= InterleaveStep && view.Height >= InterleaveStep;
-  const penumbra::InterleavedPixels lattice =
-    sparse ? PhaseLattice(viewState.FramePhase) : penumbra::InterleavedPixels();
-  viewState.FramePhase = sparse ? (viewState.FramePhase + 1) % NumberOfPhases : 0;
-  viewState.UpdatePoints(request, state.Geometry.GetRays(), lattice);
-  std::vector<float>& means = this->Implementation->Means;
-  means.assign(viewState.Points.size(), 0.f);
-  penumbra::TracedSamples samples;
-  samples.First =
-    sparse ? MotionSequenceStart + request.FirstSample / NumberOfPhases : request.FirstSample;
-  samples.Count = std::max({ request.Samples / this->SamplesPerRay, affordable, 1 });
-  samples.Radius = static_cast<float>(request.Radius * state.Geometry.GetScene().Scale);
-  samples.Lattice = lattice;
-  const std::vector<penumbra::Rectangle> wholeImage = { { 0, 0, view.Width, view.Height } };
-  const long long rays = penumbra::TraceOcclusion(viewState.Points,
-    lattice.CountIn(view.Width, lattice.Column), state.Geometry.GetRays(), samples,
-    ConvertToLattice(request.Parts ? *request.Parts : wholeImage, lattice), means);
-  this->NumberOfRays += rays;
-  state.AddTime(rays, std::chrono::duration<double>(Clock::now() - start).count());
-  if (sparse)
+  viewState.FramePhase = 0;
+  viewState.UpdatePoints(request, state.Geometry.GetRays());
+  const Stopwatch watch;
+  const std::size_t pixels = viewState.Points.size();
+  const int perPixel = std::max({ request.Samples / this->SamplesPerRay,
+    state.CountAffordableRays(request.Seconds, pixels), 1 });
+  penumbra::PixelRays counts(pixels, 0);
+  for (const penumbra::Rectangle& part :
+    request.Parts ? *request.Parts : WholeImage(view.Width, view.Height))
   {
-    means = ExpandToImage(means, lattice, view.Width, view.Height);
+    for (int y = part.Y; y < part.Y + part.Height; ++y)
+    {
+      std::fill_n(counts.begin() + static_cast<std::ptrdiff_t>(y) * view.Width + part.X, part.Width,
+        static_cast<std::uint16_t>(perPixel));
+    }
   }
+  std::vector<float>& means = this->Implementation->Means;
+  means.assign(pixels, 0.f);
+  const long long rays =
+    viewState.Trace(request, state.Geometry.GetRays(), request.FirstSample, counts, means);
+  std::for_each(
+    means.begin(), means.end(), [perPixel](float& mean) { mean /= static_cast<float>(perPixel); });
+  this->NumberOfRays += rays;
+  state.AddTime(rays, watch.GetSeconds());
   const bool uploaded =
     target->Create2DFromRaw(view.Width, view.Height, 1, VTK_FLOAT, means.data());
-  return uploaded ? samples.Count : 0;
+  return uploaded ? perPixel : 0;
 }
 catch (const std::exception& error)
 {
   vtkErrorMacro("Ambient occlusion cannot be ray traced: " << error.what());
   return 0;
+}
+
+vtkPenumbraOcclusionEstimator::Addition vtkPenumbraTracedEstimator::AddToHistory(
+  const Request& request, vtkTextureObject* history)
+try
+{
+  RendererState& state = this->UpdateRenderer(request);
+  ViewState& viewState = state.Views[request.Depth];
+  const penumbra::ScreenTransform& view = request.Depth->GetView();
+  const penumbra::RayScene& scene = state.Geometry.GetRays();
+  const std::vector<float> depths = penumbra::ReadBack(request.Depth->GetCurrent());
+  std::vector<float> values = penumbra::ReadBack(history);
+  const Stopwatch watch;
+  penumbra::MotionRayLimits limits;
+  limits.Affordable = state.RaysPerSecond * request.Seconds;
+  limits.PerPixel = request.Samples / this->SamplesPerRay;
+  limits.Sparse = request.Moving && this->SparseInMotion;
+  limits.Phase = viewState.FramePhase;
+  viewState.FramePhase = (viewState.FramePhase + 1) % NumberOfPhases;
+  penumbra::RaysInMotion& counts = this->Implementation->Rays;
+  penumbra::DistributeRays(depths, values, view.Width,
+    request.Parts ? *request.Parts : WholeImage(view.Width, view.Height), limits, counts);
+  viewState.ReconstructPoints(request, scene, depths, &counts.Traced);
+  const int first = counts.IsSparse ? SparseSequenceStart + request.FirstSample / NumberOfPhases
+                                    : request.FirstSample;
+  long long rays = viewState.Trace(request, scene, first, counts.LongHistory, values, 2);
+  rays += viewState.Trace(request, scene, ShortHistorySequenceStart + viewState.ShortHistorySample,
+    counts.ShortHistory, values, 2);
+  viewState.ShortHistorySample =
+    (viewState.ShortHistorySample + counts.WithoutHistory) % ShortHistorySequenceLength;
+  this->NumberOfRays += rays;
+  state.AddTime(rays, watch.GetSeconds());
+  const bool uploaded =
+    history->Create2DFromRaw(view.Width, view.Height, 2, VTK_FLOAT, values.data());
+  return uploaded ? Addition{ counts.PerPixel, counts.WithoutHistory } : Addition();
+}
+catch (const std::exception& error)
+{
+  vtkErrorMacro("Ambient occlusion cannot be ray traced: " << error.what());
+  return {};
 }
 
 vtkPenumbraOcclusionEstimator::Refinement vtkPenumbraTracedEstimator::Refine(
@@ -278,7 +293,7 @@ try
 {
   RendererState& state = this->UpdateRenderer(request);
   ViewState& viewState = state.Views[request.Depth];
-  viewState.UpdatePoints(request, state.Geometry.GetRays(), {});
+  viewState.UpdatePoints(request, state.Geometry.GetRays());
   viewState.UpdateJoined(request, state.Geometry.GetRays());
   this->NumberOfRays += viewState.Refine(request.Seconds);
   Refinement result;

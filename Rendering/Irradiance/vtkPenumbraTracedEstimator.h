@@ -44,8 +44,8 @@ public:
   ///@{
   /**
    * If on, one pixel of each 2 x 2 block is traced per frame while the view moves (interleaved
-   * sampling), unless there is time for more. The others use their history, their neighbors and,
-   * if both are unavailable, the traced pixel. If off, all pixels are traced. Default: on.
+   * sampling), unless there is time for more, and each pixel without history. If off, all pixels are
+   * traced. Default: on.
    */
   vtkSetMacro(SparseInMotion, bool);
   vtkGetMacro(SparseInMotion, bool);
@@ -53,6 +53,8 @@ public:
   ///@}
 
   int Estimate(const Request& request, vtkTextureObject* target) override;
+  bool CanAddToHistory() override { return true; }
+  Addition AddToHistory(const Request& request, vtkTextureObject* history) override;
 
   /** Returns whether all opaque props of the renderer are meshes that rays can hit. */
   bool CanEstimate(vtkRenderer* renderer) override;

@@ -76,9 +76,7 @@ public:
 
   /**
    * Fill `target` (one float per pixel) with the mean of new samples: 0 unoccluded, 1 fully
-   * occluded. Returns the number of samples per pixel; 0 if the estimate failed. In motion, a pixel
-   * without new samples may contain -1 - m, where m is the mean of a neighbor; it is used only if
-   * the pixel has no history.
+   * occluded. Returns the number of samples per pixel; 0 if the estimate failed.
    */
   virtual int Estimate(const Request& request, vtkTextureObject* target) = 0;
 
@@ -92,6 +90,23 @@ public:
    */
   virtual std::string GetShader() { return {}; }
   virtual int SetUniforms(const Request&, vtkShaderProgram*) { return 0; }
+  ///@}
+
+  /** Numbers of new samples of a pixel. */
+  struct Addition
+  {
+    int Samples = 0;             ///< with a long history; 0: the estimate failed
+    int ShortHistorySamples = 0; ///< without history
+  };
+
+  ///@{
+  /**
+   * Alternative to Estimate() for an estimator without shader while the view moves, if
+   * CanAddToHistory() returns true. `history` (two floats per pixel) has the sum and the number of the
+   * reprojected samples. AddToHistory() adds new samples to both; pixels may differ in their number.
+   */
+  virtual bool CanAddToHistory() { return false; }
+  virtual Addition AddToHistory(const Request&, vtkTextureObject*) { return {}; }
   ///@}
 
   /** Returns whether the scene of the renderer can be estimated. Called before every frame. */

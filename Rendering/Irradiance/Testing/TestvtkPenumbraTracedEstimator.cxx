@@ -186,7 +186,7 @@ TEST(TracedEstimator, TracesOneQuarterOfThePixelsInMotion)
   EXPECT_NEAR(countRays(1) / all, 1.0, .02);
 }
 
-TEST(TracedEstimator, TracesEveryPixelWithinFourFramesOfMotion)
+TEST(TracedEstimator, TracesEveryPixelWithoutHistoryInMotion)
 {
   for (const int samplesPerRay : { 32, 16, 4 })
   {
@@ -197,19 +197,16 @@ TEST(TracedEstimator, TracesEveryPixelWithinFourFramesOfMotion)
     pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
     pass->GetConstants().DepthTolerance =
       1e-9; // disables the history: all samples are from the last frame
-    std::vector<int> traced(62 * 45);
     for (int frame = 0; frame < 5; ++frame)
     {
       scene.Renderer->GetActiveCamera()->Azimuth(.01);
       scene.Window->Render();
       const std::vector<float> convergence = scene.Array("Convergence");
-      ASSERT_EQ(convergence.size(), traced.size());
-      for (std::size_t i = 0; frame > 0 && i < traced.size(); ++i)
-      {
-        traced[i] += convergence[i] > .9 / pass->GetConstants().MaximumWeight;
-      }
+      ASSERT_EQ(convergence.size(), 62u * 45u);
+      EXPECT_GT(*std::min_element(convergence.begin(), convergence.end()),
+        .9 / pass->GetConstants().MaximumWeight)
+        << samplesPerRay;
     }
-    EXPECT_EQ(std::count(traced.begin(), traced.end(), 0), 0) << samplesPerRay;
   }
 }
 

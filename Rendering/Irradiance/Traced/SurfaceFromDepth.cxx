@@ -74,27 +74,33 @@ public:
   }
 
   /// Reconstructs the points of one row. Pixels whose depths are not planar are traced in packets.
-  void ReconstructRow(const InterleavedPixels& lattice, int row, SurfacePoint* points) const
+  /// `needed`: flags of the pixels of the row, or null for all.
+  void ReconstructRow(int row, const char* needed, SurfacePoint* points) const
   {
     Ray rays[PacketSize];
     int pixels[PacketSize];
     SurfacePoint* targets[PacketSize];
     int count = 0;
-    for (int i = lattice.Column; i < this->View.Width; i += lattice.Step, ++points)
+    for (int i = 0; i < this->View.Width; ++i)
     {
-      const Ray ray = this->SearchRay(i, row);
+      const bool isNeeded = !needed || needed[i];
+      const Ray ray = isNeeded ? this->SearchRay(i, row) : EmptyRay();
       if (ray.Near <= ray.Far && this->AtCenters && this->IsPlanar(i, row))
       {
-        *points = this->ReconstructFromDepths(ray, i, row);
-        points->PixelSize = this->PixelWidth(this->DepthAt(i, row)) * this->UnitLength;
+        points[i] = this->ReconstructFromDepths(ray, i, row);
+        points[i].PixelSize = this->PixelWidth(this->DepthAt(i, row)) * this->UnitLength;
       }
       else if (ray.Near <= ray.Far)
       {
         rays[count] = ray;
-        targets[count] = points;
+        targets[count] = points + i;
         pixels[count++] = i;
       }
-      if (count == PacketSize || (count > 0 && i + lattice.Step >= this->View.Width))
+      else if (isNeeded)
+      {
+        points[i] = SurfacePoint();
+      }
+      if (count == PacketSize || (count > 0 && i + 1 == this->View.Width))
       {
         std::fill(rays + count, rays + PacketSize, EmptyRay());
         this->TracePacket(rays, pixels, count, row, targets);
@@ -276,18 +282,17 @@ private:
 
 }
 
-std::vector<SurfacePoint> ReconstructSurface(const std::vector<float>& eyeDepths, bool atCenters,
-  const ScreenTransform& view, const RayScene& rays, const InterleavedPixels& lattice)
+void ReconstructSurface(const std::vector<float>& eyeDepths, bool atCenters,
+  const ScreenTransform& view, const RayScene& rays, const std::vector<char>* needed,
+  std::vector<SurfacePoint>& points)
 {
-  const int columns = lattice.CountIn(view.Width, lattice.Column);
-  const int rows = lattice.CountIn(view.Height, lattice.Row);
-  std::vector<SurfacePoint> points(static_cast<std::size_t>(columns) * rows);
+  points.resize(static_cast<std::size_t>(view.Width) * view.Height);
   const SurfaceReconstructor reconstructor(eyeDepths, atCenters, view, rays);
-  ParallelFor(0, rows, 0, [&](int row) {
-    reconstructor.ReconstructRow(lattice, lattice.Row + row * lattice.Step,
-      points.data() + static_cast<std::size_t>(row) * columns);
+  ParallelFor(0, view.Height, 0, [&](int row) {
+    const std::size_t first = static_cast<std::size_t>(row) * view.Width;
+    reconstructor.ReconstructRow(
+      row, needed ? needed->data() + first : nullptr, points.data() + first);
   });
-  return points;
 }
 
 }

@@ -25,28 +25,13 @@ struct SurfacePoint
   float PixelSize = 0.f;     ///< side of a pixel at this depth
 };
 
-/// Lattice of the processed pixels of an image: every Step-th column and row.
-struct InterleavedPixels
-{
-  int Step = 1;
-  int Column = 0; ///< first column
-  int Row = 0;    ///< first row
-
-  bool operator==(const InterleavedPixels& other) const
-  {
-    return this->Step == other.Step && this->Column == other.Column && this->Row == other.Row;
-  }
-
-  /// Number of lattice columns (or rows) of an image of `size` columns (or rows), starting at
-  /// `first`.
-  int CountIn(int size, int first) const { return (size - first + this->Step - 1) / this->Step; }
-};
-
-/// Returns the surface points of the lattice, row by row.
+/// Fills the surface points of the pixels, row by row.
 /// `eyeDepths`: eye depth per pixel in the unit of the view, row by row. `atCenters`: the depths
-/// are sampled at pixel centers, not at one of several samples per pixel.
-std::vector<SurfacePoint> ReconstructSurface(const std::vector<float>& eyeDepths, bool atCenters,
-  const ScreenTransform& view, const RayScene& rays, const InterleavedPixels& lattice = {});
+/// are sampled at pixel centers, not at one of several samples per pixel. `needed`: not 0 at the
+/// pixels whose points are reconstructed, other points are undefined; null: all.
+void ReconstructSurface(const std::vector<float>& eyeDepths, bool atCenters,
+  const ScreenTransform& view, const RayScene& rays, const std::vector<char>* needed,
+  std::vector<SurfacePoint>& points);
 
 }
 #endif

@@ -22,10 +22,13 @@ namespace
 /// every 5 x 5 window contains each of the 25 directions once.
 constexpr int Period = 5;
 
-/// Side of the blocks of pixels. A block has 16 pixels with the same directions in their tangent
-/// frames, which form a coherent packet.
-constexpr int BlockSize = 4 * Period;
 constexpr int PacketSize = 16;
+
+/// Side of the parts of a block. A part has 16 pixels with the same directions in their tangent frames,
+/// which form a coherent packet; if one pixel of four is traced, those of a block do.
+constexpr int PartSize = 4 * Period;
+constexpr int BlockSize = 2 * PartSize;
+constexpr int PixelsWithSameShift = (BlockSize / Period) * (BlockSize / Period);
 
 double Fraction(double x)
 {
@@ -53,76 +56,93 @@ class Tracer
 {
 public:
   Tracer(const std::vector<SurfacePoint>& points, int width, const RayScene& rays,
-    const TracedSamples& samples, std::vector<float>& means)
+    const TracedSamples& samples, const PixelRays& counts, std::vector<float>& sums, int stride)
     : Points(points),
       Width(width),
+      Height(static_cast<int>(points.size() / std::max(width, 1))),
       Rays(rays),
       Samples(samples),
-      Means(means),
+      Counts(counts),
+      Sums(sums),
+      Stride(stride),
       Translucent(HasTranslucentOccluders(rays.GetScene()))
   {
   }
 
+  int CountBlocks() const { return this->CountColumns() * CountParts(this->Height); }
+
   /// Traces all rays of a block and returns their number.
-  long long Trace(const Rectangle& block) const
+  long long TraceBlock(int block) const
   {
+    const int left = block % this->CountColumns() * BlockSize;
+    const int bottom = block / this->CountColumns() * BlockSize;
     long long count = 0;
     for (int j = 0; j < Period; ++j)
     {
       for (int i = 0; i < Period; ++i)
       {
-        count += this->TracePixelsWithSameShift(block, i, j);
+        count += this->TracePixelsWithSameShift(left, bottom, i, j);
       }
     }
     return count;
   }
 
 private:
-  std::size_t Index(int i, int j) const { return static_cast<std::size_t>(j) * this->Width + i; }
+  static int CountParts(int size) { return (size + BlockSize - 1) / BlockSize; }
+  int CountColumns() const { return CountParts(this->Width); }
 
-  /// Traces the pixels of a block whose offset from its corner is (i, j) modulo Period.
-  long long TracePixelsWithSameShift(const Rectangle& block, int i, int j) const
+  /// Finds the traced pixels of a block whose offset from its corner is (i, j) modulo Period, part by
+  /// part. Returns their number.
+  int FindPixelsWithSameShift(int left, int bottom, int i, int j, std::size_t* pixels) const
   {
-    std::size_t pixels[PacketSize];
     int size = 0;
-    for (int y = j; y < block.Height; y += Period)
+    for (int part = 0; part < 4; ++part)
     {
-      for (int x = i; x < block.Width; x += Period)
+      const int right = std::min(left + (part % 2 + 1) * PartSize, this->Width);
+      const int top = std::min(bottom + (part / 2 + 1) * PartSize, this->Height);
+      for (int y = bottom + part / 2 * PartSize + j; y < top; y += Period)
       {
-        const std::size_t pixel = this->Index(block.X + x, block.Y + y);
-        if (this->Points[pixel].Normal != glm::vec3(0.f))
+        for (int x = left + part % 2 * PartSize + i; x < right; x += Period)
         {
-          pixels[size++] = pixel;
+          const std::size_t pixel = static_cast<std::size_t>(y) * this->Width + x;
+          if (this->Counts[pixel] > 0 && this->Points[pixel].Normal != glm::vec3(0.f))
+          {
+            pixels[size++] = pixel;
+          }
         }
       }
     }
-    if (size == 0)
-    {
-      return 0;
-    }
-    float blocked[PacketSize] = {};
-    long long layers = 0;
-    for (int sample = 0; sample < this->Samples.Count; ++sample)
-    {
-      const InterleavedPixels& lattice = this->Samples.Lattice;
-      const glm::dvec2 shifted = ComputeSequencePoint(this->Samples.First + sample) +
-        ComputePixelShift((lattice.Column + (block.X + i) * lattice.Step) % Period,
-          (lattice.Row + (block.Y + j) * lattice.Step) % Period);
-      const glm::vec3 direction = DiskToHemisphere(SampleUniformDiskConcentric(
-        static_cast<float>(Fraction(shifted.x)), static_cast<float>(Fraction(shifted.y))));
-      this->TracePacket(pixels, size, direction, blocked, layers);
-    }
-    for (int k = 0; k < size; ++k)
-    {
-      this->Means[pixels[k]] = blocked[k] / static_cast<float>(this->Samples.Count);
-    }
-    return static_cast<long long>(size) * this->Samples.Count + layers;
+    return size;
   }
 
-  /// Adds the occlusion of one ray of each pixel to `blocked`, and the number of rays that continue
-  /// behind translucent surfaces to `layers`.
-  void TracePacket(const std::size_t* pixels, int size, glm::vec3 direction, float* blocked,
-    long long& layers) const
+  long long TracePixelsWithSameShift(int left, int bottom, int i, int j) const
+  {
+    std::size_t pixels[PixelsWithSameShift];
+    int size = this->FindPixelsWithSameShift(left, bottom, i, j, pixels);
+    const glm::dvec2 shift = ComputePixelShift((left + i) % Period, (bottom + j) % Period);
+    long long rays = 0;
+    for (int sample = 0; size > 0; ++sample)
+    {
+      const glm::dvec2 shifted = ComputeSequencePoint(this->Samples.First + sample) + shift;
+      const glm::vec3 direction = DiskToHemisphere(SampleUniformDiskConcentric(
+        static_cast<float>(Fraction(shifted.x)), static_cast<float>(Fraction(shifted.y))));
+      for (int first = 0; first < size; first += PacketSize)
+      {
+        this->TracePacket(pixels + first, std::min(size - first, PacketSize), direction, rays);
+      }
+      rays += size;
+      size =
+        static_cast<int>(std::remove_if(pixels, pixels + size,
+                           [&](std::size_t pixel) { return this->Counts[pixel] == sample + 1; }) -
+          pixels);
+    }
+    return rays;
+  }
+
+  /// Traces one ray of each pixel. Adds the number of rays that continue behind translucent surfaces to
+  /// `layers`.
+  void TracePacket(
+    const std::size_t* pixels, int size, glm::vec3 direction, long long& layers) const
   {
     Ray rays[PacketSize];
     for (int k = 0; k < PacketSize; ++k)
@@ -143,7 +163,7 @@ private:
       const DistanceFalloff falloff(this->Samples.Radius);
       for (int k = 0; k < size; ++k)
       {
-        blocked[k] += TraceTranslucentOcclusion(
+        this->Sums[this->Stride * pixels[k]] += TraceTranslucentOcclusion(
           this->Rays, rays[k], hits[k], falloff, MinimumTransmittance, layers);
       }
       return;
@@ -152,48 +172,29 @@ private:
     this->Rays.Occluded16(rays, isHit);
     for (int k = 0; k < size; ++k)
     {
-      blocked[k] += isHit[k] ? 1.f : 0.f;
+      this->Sums[this->Stride * pixels[k]] += isHit[k] ? 1.f : 0.f;
     }
   }
 
   const std::vector<SurfacePoint>& Points;
   int Width;
+  int Height;
   const RayScene& Rays;
   const TracedSamples& Samples;
-  std::vector<float>& Means;
+  const PixelRays& Counts;
+  std::vector<float>& Sums;
+  std::size_t Stride;
   bool Translucent;
 };
-
-/// Clips the rectangles to the image and splits them into blocks.
-std::vector<Rectangle> SplitIntoBlocks(const std::vector<Rectangle>& parts, int width, int height)
-{
-  std::vector<Rectangle> blocks;
-  for (const Rectangle& part : parts)
-  {
-    const int right = std::min(part.X + part.Width, width);
-    const int top = std::min(part.Y + part.Height, height);
-    for (int y = part.Y; y < top; y += BlockSize)
-    {
-      for (int x = part.X; x < right; x += BlockSize)
-      {
-        blocks.push_back({ x, y, std::min(BlockSize, right - x), std::min(BlockSize, top - y) });
-      }
-    }
-  }
-  return blocks;
-}
 
 }
 
 long long TraceOcclusion(const std::vector<SurfacePoint>& points, int width, const RayScene& rays,
-  const TracedSamples& samples, const std::vector<Rectangle>& parts, std::vector<float>& means)
+  const TracedSamples& samples, const PixelRays& counts, std::vector<float>& sums, int stride)
 {
-  const int height = static_cast<int>(points.size() / std::max(width, 1));
-  const std::vector<Rectangle> blocks = SplitIntoBlocks(parts, width, height);
-  const Tracer tracer(points, width, rays, samples, means);
+  const Tracer tracer(points, width, rays, samples, counts, sums, stride);
   std::atomic<long long> count{ 0 };
-  ParallelFor<std::size_t>(
-    0, blocks.size(), 0, [&](std::size_t block) { count += tracer.Trace(blocks[block]); });
+  ParallelFor(0, tracer.CountBlocks(), 0, [&](int block) { count += tracer.TraceBlock(block); });
   return count;
 }
 

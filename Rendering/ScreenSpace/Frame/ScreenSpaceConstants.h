@@ -79,6 +79,10 @@ constexpr double StillSampleLimit = 8.0;
 /// Fraction of FrameTime for the samples of a frame in motion and during interaction.
 constexpr double MotionTimeFraction = 0.2;
 
+/// Number of samples that a pixel keeps if a neighbor moved and the estimator adds its own samples: so few
+/// that the pixel gets new ones in each frame. Measured with `./penumbra benchmark session --only rays`.
+constexpr double KeptOfOwnSamples = 0.45;
+
 /// While actors move in front of a static camera, the number of frames between comparisons of
 /// depths.
 constexpr int FramesPerDepthComparison = 8;

@@ -179,7 +179,11 @@ void OcclusionViewState::UpdateActorMotion()
 void OcclusionViewState::CompareSettings(const OcclusionSettings& last)
 {
   OcclusionSettings& now = this->Settings;
-  const OcclusionConstants& constants = now.Constants;
+  OcclusionConstants& constants = now.Constants;
+  if (this->Estimator->CanAddToHistory())
+  {
+    constants.InvalidationWeight = std::min(constants.InvalidationWeight, KeptOfOwnSamples);
+  }
   // If InvalidationWeight is at least MaximumWeight, sample validation has no effect.
   now.PropsChanged = now.PropsChanged && constants.InvalidationWeight < constants.MaximumWeight;
   // An image that converges in one Render() does not depend on earlier ones.
@@ -323,27 +327,27 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
     request.SettledFirstSample = this->FramesWithTurns / request.Turns * request.Samples;
     this->FramesWithTurns = (this->FramesWithTurns + 1) % SequenceLength;
   }
-  const int samples = this->AccumulateSamples(request, change, refine);
-  if (samples < 1)
+  const auto added = this->AccumulateSamples(request, change, refine);
+  if (added.Samples < 1)
   {
     return false;
   }
-  this->TotalSamples = (this->TotalSamples + samples) % SequenceLength;
+  this->TotalSamples = (this->TotalSamples + added.Samples) % SequenceLength;
   this->SamplesSinceReset += byPixel && convergence < constants.AdaptiveConvergence
-    ? std::max(constants.FirstSamples, samples)
-    : samples;
-  this->NewSamples += samples;
+    ? added.ShortHistorySamples
+    : added.Samples;
+  this->NewSamples += added.Samples;
   this->DisocclusionSamples =
-    byPixel ? std::max(constants.FirstSamples, samples) : this->NewSamples;
+    change == EyeDepth::Change::Moved ? added.ShortHistorySamples : this->NewSamples;
   if (change != EyeDepth::Change::Moved && !this->TurnsFast)
   {
-    this->TileConvergence.Add(samples, this->Image.GetView().Width, this->InnerRegion.front(),
+    this->TileConvergence.Add(added.Samples, this->Image.GetView().Width, this->InnerRegion.front(),
       settings.Tolerance, [this]() { return this->ReadMeans(); });
   }
   return true;
 }
 
-int OcclusionViewState::AccumulateSamples(
+vtkPenumbraOcclusionEstimator::Addition OcclusionViewState::AccumulateSamples(
   const vtkPenumbraOcclusionEstimator::Request& request, EyeDepth::Change change, bool refine)
 {
   const OcclusionConstants& constants = this->Settings.Constants;
@@ -362,14 +366,14 @@ int OcclusionViewState::AccumulateSamples(
   {
     temporal.WeightCap = constants.InvalidationWeight;
   }
-  if (change == EyeDepth::Change::Moved && this->HasShader())
+  if (change == EyeDepth::Change::Moved)
   {
-    return this->History.ReprojectAndEstimate(request, this->Estimator, temporal);
+    return this->History.ReprojectAndEstimate(request, this->Estimator, temporal, this->Estimates);
   }
   const int samples = this->Estimator->Estimate(request, this->Estimates);
   if (samples < 1)
   {
-    return 0;
+    return {};
   }
   if (change == EyeDepth::Change::None)
   {
@@ -380,7 +384,7 @@ int OcclusionViewState::AccumulateSamples(
     ? this->History.Accumulate(this->Window, this->Image, this->Estimates, samples, *request.Parts)
     : this->History.Add(this->Window, this->Image, this->Depth, change, this->Estimates, samples,
         temporal, this->InnerRegion);
-  return added ? samples : 0;
+  return { added ? samples : 0, samples };
 }
 
 bool OcclusionViewState::Filter()

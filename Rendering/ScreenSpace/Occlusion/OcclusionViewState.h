@@ -91,7 +91,7 @@ private:
   bool Estimate(EyeDepth::Change change);
   vtkPenumbraOcclusionEstimator::Request MakeRequest(bool isStatic) const;
   bool Refine();
-  int AccumulateSamples(
+  vtkPenumbraOcclusionEstimator::Addition AccumulateSamples(
     const vtkPenumbraOcclusionEstimator::Request& request, EyeDepth::Change change, bool refine);
   bool Filter();
   std::vector<float> ReadMeans() const;

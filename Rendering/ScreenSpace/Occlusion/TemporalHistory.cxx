@@ -12,8 +12,8 @@
 #include "vtkPenumbraFiniteValuesLib.h"
 #include "vtkPenumbraHistoryLengthLib.h"
 #include "vtkPenumbraMotionQualityLib.h"
+#include "vtkPenumbraNoEstimateLib.h"
 #include "vtkPenumbraNoSampleValidationLib.h"
-#include "vtkPenumbraPrecomputedEstimateLib.h"
 #include "vtkPenumbraReprojectFS.h"
 #include "vtkPenumbraSampleValidationLib.h"
 #include "vtkPenumbraSumFS.h"
@@ -21,6 +21,8 @@
 #include "vtkPenumbraViewLib.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+
+#include <algorithm>
 
 namespace penumbra
 {
@@ -105,14 +107,8 @@ bool TemporalHistory::Add(vtkOpenGLRenderWindow* window, const DelegateImage& im
   const TemporalSettings& settings, const std::vector<Rectangle>& parts)
 {
   const bool isNew = this->SwapTextures(window, depth.GetView());
-  const bool moved = change == EyeDepth::Change::Moved && !isNew;
-  Stage& stage = !moved           ? this->Accumulation
-    : settings.NeighborValidation ? this->Validate
-                                  : this->Reproject;
-  vtkShaderProgram* program = stage.Ready(window,
-    moved
-      ? AssembleReprojection(settings, vtkPenumbraPrecomputedEstimateLib)
-      : Assemble(vtkPenumbraAccumulateFS, { { "FiniteValuesLib", vtkPenumbraFiniteValuesLib } }));
+  vtkShaderProgram* program = this->Accumulation.Ready(window,
+    Assemble(vtkPenumbraAccumulateFS, { { "FiniteValuesLib", vtkPenumbraFiniteValuesLib } }));
   const ScopedRenderTarget target(
     window, image.GetFramebuffer(), { this->GetTexture() }, image.GetDepth());
   if (!program || !target.IsComplete())
@@ -123,37 +119,58 @@ bool TemporalHistory::Add(vtkOpenGLRenderWindow* window, const DelegateImage& im
   TemporalSettings weights = settings;
   weights.WeightCap = change == EyeDepth::Change::Reset || isNew ? 0.0 : settings.WeightCap;
   SetWeights(program, samples, weights);
-  stage.BindTexture("estimates", estimates);
-  stage.BindTexture("history", this->GetScratchTexture());
-  if (moved)
-  {
-    SetMotion(stage, program, depth, settings);
-  }
-  stage.Draw(parts);
+  this->Accumulation.BindTexture("estimates", estimates);
+  this->Accumulation.BindTexture("history", this->GetScratchTexture());
+  this->Accumulation.Draw(parts);
   this->ResizeScratchTexture(window, depth.GetView());
   return true;
 }
 
-int TemporalHistory::ReprojectAndEstimate(const vtkPenumbraOcclusionEstimator::Request& request,
-  vtkPenumbraOcclusionEstimator* estimator, const TemporalSettings& settings)
+bool TemporalHistory::Reproject(const vtkPenumbraOcclusionEstimator::Request& request,
+  vtkPenumbraOcclusionEstimator* estimator, const TemporalSettings& settings, int& samples)
 {
   this->SwapTextures(request.Window, request.Depth->GetView());
-  vtkShaderProgram* program =
-    this->Estimate.Ready(request.Window, AssembleReprojection(settings, estimator->GetShader()));
+  Stage& stage = settings.NeighborValidation ? this->Validation : this->Reprojection;
+  const std::string shader = estimator->GetShader();
+  vtkShaderProgram* program = stage.Ready(request.Window,
+    AssembleReprojection(settings, shader.empty() ? vtkPenumbraNoEstimateLib : shader));
   const ScopedRenderTarget target(request.Window, request.Image->GetFramebuffer(),
     { this->GetTexture() }, request.Image->GetDepth());
   if (!program || !target.IsComplete())
   {
-    return 0;
+    return false;
   }
   request.Depth->GetView().SetUniforms(program);
-  const int samples = estimator->SetUniforms(request, program);
+  samples = shader.empty() ? 0 : estimator->SetUniforms(request, program);
   SetWeights(program, samples, settings);
-  SetMotion(this->Estimate, program, *request.Depth, settings);
-  this->Estimate.BindTexture("history", this->GetScratchTexture());
-  this->Estimate.Draw(*request.Parts);
+  SetMotion(stage, program, *request.Depth, settings);
+  stage.BindTexture("history", this->GetScratchTexture());
+  stage.Draw(*request.Parts);
   this->ResizeScratchTexture(request.Window, request.Depth->GetView());
-  return samples;
+  return true;
+}
+
+vtkPenumbraOcclusionEstimator::Addition TemporalHistory::ReprojectAndEstimate(
+  const vtkPenumbraOcclusionEstimator::Request& request, vtkPenumbraOcclusionEstimator* estimator,
+  const TemporalSettings& settings, vtkTextureObject* estimates)
+{
+  int samples = 0;
+  if (!this->Reproject(request, estimator, settings, samples))
+  {
+    return {};
+  }
+  if (!estimator->GetShader().empty())
+  {
+    return { samples, std::max(request.ShortHistorySamples, samples) };
+  }
+  if (estimator->CanAddToHistory())
+  {
+    return estimator->AddToHistory(request, this->GetTexture());
+  }
+  samples = estimator->Estimate(request, estimates);
+  const bool added = samples > 0 &&
+    this->Accumulate(request.Window, *request.Image, estimates, samples, *request.Parts);
+  return { added ? samples : 0, samples };
 }
 
 bool TemporalHistory::Accumulate(vtkOpenGLRenderWindow* window, const DelegateImage& image,
@@ -182,9 +199,8 @@ bool TemporalHistory::Accumulate(vtkOpenGLRenderWindow* window, const DelegateIm
 void TemporalHistory::ReleaseGraphicsResources(vtkWindow* window)
 {
   Release(window, this->Textures[0], this->Textures[1]);
-  this->Reproject.ReleaseGraphicsResources(window);
-  this->Validate.ReleaseGraphicsResources(window);
-  this->Estimate.ReleaseGraphicsResources(window);
+  this->Reprojection.ReleaseGraphicsResources(window);
+  this->Validation.ReleaseGraphicsResources(window);
   this->Accumulation.ReleaseGraphicsResources(window);
   this->Sum.ReleaseGraphicsResources(window);
 }

@@ -33,21 +33,21 @@ struct TemporalSettings
 class TemporalHistory
 {
 public:
-  /// Adds `samples` new samples per pixel, whose mean is `estimates`, to the history. After
-  /// Change::None the history of the same pixel is used, after Change::Moved it is reprojected, and
-  /// after Change::Reset it is discarded. Only pixels in `parts` are updated. Returns false if
+  /// Adds `samples` new samples per pixel, whose mean is `estimates`, to the history of the same pixel,
+  /// which is discarded after Change::Reset. Only pixels in `parts` are updated. Returns false if
   /// OpenGL reports an error.
   bool Add(vtkOpenGLRenderWindow* window, const DelegateImage& image, const EyeDepth& depth,
     EyeDepth::Change change, vtkTextureObject* estimates, int samples,
     const TemporalSettings& settings, const std::vector<Rectangle>& parts);
 
-  /// Reprojects the history after Change::Moved and adds an estimate in the same pass; the
-  /// estimator must have a shader. Returns the number of new samples, or 0 if OpenGL reports an
-  /// error.
-  int ReprojectAndEstimate(const vtkPenumbraOcclusionEstimator::Request& request,
-    vtkPenumbraOcclusionEstimator* estimator, const TemporalSettings& settings);
+  /// Reprojects the history after Change::Moved and adds an estimate, in the same pass if the estimator
+  /// has a shader. `estimates`: for the means of one that neither has a shader nor adds to histories.
+  /// Returns the numbers of new samples, 0 if OpenGL reports an error.
+  vtkPenumbraOcclusionEstimator::Addition ReprojectAndEstimate(
+    const vtkPenumbraOcclusionEstimator::Request& request, vtkPenumbraOcclusionEstimator* estimator,
+    const TemporalSettings& settings, vtkTextureObject* estimates);
 
-  /// Adds samples after Change::None by blending.
+  /// Adds samples to the current history by blending.
   bool Accumulate(vtkOpenGLRenderWindow* window, const DelegateImage& image,
     vtkTextureObject* estimates, int samples, const std::vector<Rectangle>& parts);
 
@@ -63,14 +63,18 @@ private:
   /// no history.
   bool SwapTextures(vtkOpenGLRenderWindow* window, const ScreenTransform& view);
 
+  /// Reprojects the history, and adds the estimate of an estimator with a shader. `samples`: their
+  /// number. Returns false if OpenGL reports an error.
+  bool Reproject(const vtkPenumbraOcclusionEstimator::Request& request,
+    vtkPenumbraOcclusionEstimator* estimator, const TemporalSettings& settings, int& samples);
+
   /// Resizes the scratch texture, which held a history of another size, to the size of the view.
   void ResizeScratchTexture(vtkOpenGLRenderWindow* window, const ScreenTransform& view);
 
   vtkSmartPointer<vtkTextureObject> Textures[2];
   int Current = 0;
-  Stage Reproject;
-  Stage Validate; ///< Reproject with sample validation
-  Stage Estimate; ///< Reproject or Validate, with the estimate in the same shader
+  Stage Reprojection;
+  Stage Validation; ///< Reprojection with sample validation
   Stage Accumulation;
   Stage Sum;
 };

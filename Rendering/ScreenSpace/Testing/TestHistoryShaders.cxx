@@ -207,13 +207,6 @@ TEST_F(HistoryShaders, KeepAllSamplesOfSettledPixelsWithoutNewOnes)
   EXPECT_NEAR(this->Reproject()[1], 16.0, 1e-4);
 }
 
-TEST_F(HistoryShaders, GiveSamplesOfNeighborsAHundredthOfTheWeight)
-{
-  this->Estimate = -1.75f; // -1 - mean of the neighbor
-  EXPECT_NEAR(this->Reproject()[0], 3.0 + 0.02 * 0.75, 1e-4);
-  EXPECT_NEAR(this->Reproject()[1], 6.02, 1e-4);
-}
-
 TEST_F(HistoryShaders, KeepTheirWeightIfNeighborsDoNotMove)
 {
   this->Now = this->Before = [](int x, int y) { return 0.3 * std::sin(x) * std::cos(1.7 * y); };

@@ -31,16 +31,15 @@ void main()
   vec2 sum = center;
   if (filterStrength > 0.0)
   {
-    vec2 step = neighborStep(center.g) * direction;
-    vec3 ahead = eyePositionAt(pixel + step) - position;
-    vec3 behind = eyePositionAt(pixel - step) - position;
-    vec3 along = minDiff(ahead, -behind, position, pixel + step);
-    vec2 neighbors = weightedSample(pixel + step, ahead, along, center.g, pixelWidth) +
-      weightedSample(pixel - step, behind, -along, center.g, pixelWidth);
-    vec2 tap = pixel + 2.0 * step;
+    vec3 ahead = eyePositionAt(pixel + direction) - position;
+    vec3 behind = eyePositionAt(pixel - direction) - position;
+    vec3 along = minDiff(ahead, -behind, position, pixel + direction);
+    vec2 neighbors = weightedSample(pixel + direction, ahead, along, center.g, pixelWidth) +
+      weightedSample(pixel - direction, behind, -along, center.g, pixelWidth);
+    vec2 tap = pixel + 2.0 * direction;
     neighbors +=
       weightedSample(tap, eyePositionAt(tap) - position, 2.0 * along, center.g, pixelWidth);
-    tap = pixel - 2.0 * step;
+    tap = pixel - 2.0 * direction;
     neighbors +=
       weightedSample(tap, eyePositionAt(tap) - position, -2.0 * along, center.g, pixelWidth);
     sum += filterStrength * neighbors;

@@ -12,16 +12,6 @@ const float maximumWidth = 12.0;
 // Distance from the tangent plane of the pixel at which the weight is 1/e, in pixel widths.
 const float planeWidth = 1.0;
 
-// A pixel with fewer samples than this has only that of a traced neighbor, see vtkPenumbraReprojectFS. Its
-// neighbors are at twice the distance, where the rays of 5 x 5 blocks complement each other.
-const float ownSamples = 0.5;
-
-// Returns the distance between the neighbors of a pixel, in pixels.
-float neighborStep(float samples)
-{
-  return samples < ownSamples ? 2.0 : 1.0;
-}
-
 // `delta`: offset of the neighbor. `inPlane`: its offset if it were on the tangent plane of the
 // pixel.
 float neighborWeight(vec3 delta, vec3 inPlane, float samples, float pixelWidth)

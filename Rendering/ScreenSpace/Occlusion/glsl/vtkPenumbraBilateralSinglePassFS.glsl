@@ -32,7 +32,7 @@ void main()
   for (int i = 0; i <= last; ++i)
   {
     float row = floor((float(i) + 0.5) / 5.0);
-    vec2 offset = neighborStep(center.g) * (vec2(float(i) - 5.0 * row, row) - 2.0);
+    vec2 offset = vec2(float(i) - 5.0 * row, row) - 2.0;
     vec2 tap = pixel + offset;
     vec2 value = texture(values, tap * pixelSize).rg;
     vec3 delta = eyePositionAt(tap) - position;

@@ -31,9 +31,6 @@ const float maximumPlaneDistance = 0.08;
 // Distance from the edge of the image, in radii, that counts as none.
 const float minimumEdgeDistance = 0.01;
 
-// Weight of a sample taken from a neighboring pixel: negligible if the pixel has other samples.
-const float neighborSampleWeight = 0.01;
-
 vec2 previousPlane(vec2 pixel)
 {
   return previousPixelToEye.xy * pixel + previousPixelToEye.zw +
@@ -166,11 +163,7 @@ void main()
   historyLength = weight < growingHistoryWeight ? shortHistory : historyLength;
   float newSamples = newSamplesAt(point, historyLength);
   float estimate = estimateAt(point, historyLength);
-  // Values below -0.5 are -1 - mean of a neighbor: see vtkPenumbraOcclusionEstimator::Estimate().
-  bool isNeighborSample = estimate < -0.5;
-  float samples = isNeighborSample ? neighborSampleWeight * newSamples : newSamples;
-  estimate = isNeighborSample ? -1.0 - estimate : estimate;
   weight = min(weight, max(maximumWeight - newSamples, 0.0));
   reprojected *= weight / max(reprojected.g, 1e-6);
-  gl_FragData[0] = vec4(reprojected + finiteSamples(estimate, samples), 0.0, 1.0);
+  gl_FragData[0] = vec4(reprojected + finiteSamples(estimate, newSamples), 0.0, 1.0);
 }

@@ -1,18 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Replaces vtkPenumbraEstimateLib if an estimator has already written its estimates to a texture.
-uniform sampler2D estimates;
-uniform float newSamples; // in every estimate
-
+// Replaces vtkPenumbraEstimateLib if new samples are added after the history was reprojected.
 //VTK::Penumbra::HistoryLengthLib
 
 float estimateAt(SurfacePoint point, int historyLength)
 {
-  return texture(estimates, point.pixel * pixelSize).r;
+  return 0.0;
 }
 
 float newSamplesAt(SurfacePoint point, int historyLength)
 {
-  return newSamples;
+  return 0.0;
 }
