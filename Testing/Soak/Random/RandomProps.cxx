@@ -147,9 +147,12 @@ RandomProp MakeMeshActor(Random& random, bool difficult, glm::dvec3 center, doub
   vtkProperty* property = actor->GetProperty();
   SetColors(random, property, prop.Description);
   SetStyle(random, property, prop.Description);
-  // VTK draws the highlights of the surface on its edges.
-  prop.Arbitrary =
-    mesh.Arbitrary || (property->GetEdgeVisibility() && property->GetSpecular() > 0.0);
+  // VTK draws the highlights of the surface on its edges, and leaves out the ambient color of physically based edges
+  // and vertices.
+  const bool isPhysicallyBased = property->GetInterpolation() == VTK_PBR;
+  prop.Arbitrary = mesh.Arbitrary ||
+    (property->GetEdgeVisibility() && (isPhysicallyBased || property->GetSpecular() > 0.0)) ||
+    (property->GetVertexVisibility() && isPhysicallyBased);
   vtkNew<vtkPolyDataMapper> mapper;
   AddMapperOptions(random, mapper, data, prop.Description);
   mapper->SetInputData(data);

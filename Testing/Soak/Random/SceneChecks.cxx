@@ -129,6 +129,8 @@ bool IsMisjudged(const RandomScene& scene, const penumbra::TileAccuracy& tile)
 
 std::vector<glm::dvec3> DrawWithVTK(const RandomScene& scene)
 {
+  // If all lights are off, VTK creates one, which it takes for one of the first light's kind until the next image.
+  scene.Window->Render();
   scene.Window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
   scene.Window->GetPixelData(0, 0, ImageSide - 1, ImageSide - 1, 0, pixels);
