@@ -20,6 +20,9 @@ struct Options
 /// Measures memory, occlusion and time of a million points that are rendered as spheres.
 void MeasureSpheres(Options& options);
 
+/// Measures the time of the first image of a view of a million triangles in a window.
+void MeasurePreviews(Options& options);
+
 /// Measures memory, time and serial share of an image of ten million triangles.
 void MeasureTriangles(Options& options);
 

@@ -180,18 +180,20 @@ int main(int argc, char** argv)
   program.Name = "scale";
   program.Title = "Large and moving scenes: measurements and targets";
   program.Usage = "--meshes FOLDER --output FOLDER [--python PROGRAM] [--only "
-                  "ranks|ranks-baking|orbit|changes|spheres|triangles]";
+                  "ranks|ranks-baking|orbit|previews|changes|spheres|triangles]";
   program.Values = { { "--meshes", &options.Meshes, true }, { "--output", &options.Output, true },
     { "--python", &options.Python, false } };
   program.Parts = { { "ranks", [&] { MeasureRanks(options); } },
     { "ranks-baking", [&] { MeasureBakingOnRanks(options); } },
-    { "orbit", [&] { MeasureOrbits(options); } }, { "changes", [&] { MeasureChanges(options); } },
+    { "orbit", [&] { MeasureOrbits(options); } }, { "previews", [&] { MeasurePreviews(options); } },
+    { "changes", [&] { MeasureChanges(options); } },
     { "spheres", [&] { MeasureSpheres(options); } },
     { "triangles", [&] { MeasureTriangles(options); } } };
   vtkSMPTools::Initialize(2);
   return program.Run(argc, argv, options.Results, options.Output, [] {
     return std::vector<std::string>{ "elapsed time",
       "orbit: 36 frames of 320 x 192 pixels with KeepScene, 10 degrees apart",
+      "window: 1000 x 600 pixels of vtkPenumbraRayCastPass, 15 views, 10 degrees apart",
       "1,000 actors: 36 images of 320 x 192 pixels with KeepScene, the camera does not move",
       "a million spheres: 1000 x 600 pixels, radius 0.5 in a cube of side 100, ambient occlusion "
       "of radius "
