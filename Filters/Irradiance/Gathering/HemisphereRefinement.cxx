@@ -26,6 +26,14 @@ float FindLargestDifference(const HemisphereSample& one, const HemisphereSample&
   return MaximumComponent(glm::abs(one.Radiance - other.Radiance));
 }
 
+/// Returns the distance at which the plane of `hit`, along `direction`, continues along `other`.
+float ExtendPlane(const HemisphereSample& hit, glm::vec3 direction, glm::vec3 other)
+{
+  const float from = glm::dot(hit.Normal, direction);
+  const float to = glm::dot(hit.Normal, other);
+  return hit.Distance * (from * to > 0.f ? std::min(from / to, MaximumEdgeFactor) : 1.f);
+}
+
 /// Returns the number of parts m along each side of a cell. m * m rays in a cell that a boundary
 /// cuts reduce its variance to m^-3, so that m^5 in proportion to the variance is optimal.
 int ComputeSubdivisions(double variance, double unit)
@@ -73,7 +81,7 @@ public:
       {
         break;
       }
-      unit *= .25;
+      unit *= .5;
     }
     for (int cell = 0; cell < this->Hemisphere.Grid.Cells(); ++cell)
     {
@@ -104,7 +112,7 @@ public:
     const HemisphereSample* first = refined.data();
     for (const int cell : this->Chosen)
     {
-      first += this->Average(cell, first);
+      first += this->Average(cell, first, &directions[first - refined.data()]);
     }
     std::vector<int> next;
     first = refined.data();
@@ -210,24 +218,32 @@ private:
     });
   }
 
-  /// Averages the rays from `first` into the sample of `cell`. Returns their number.
-  int Average(int cell, const HemisphereSample* first)
+  /// Averages the rays from `first` with `directions` into the sample of `cell`. Returns their number.
+  /// The sample keeps the hit of its single ray: that of a nearer surface would move the light of what
+  /// is behind it to this distance.
+  int Average(int cell, const HemisphereSample* first, const glm::vec3* directions)
   {
-    const int m = this->Subdivisions[cell];
-    const auto fraction = 1.f / static_cast<float>(m * m);
+    const int count = this->Subdivisions[cell] * this->Subdivisions[cell];
     HemisphereSample& sample = this->Hemisphere.Samples[cell];
-    sample.Radiance = glm::vec3(0.f);
-    for (int k = 0; k < m * m; ++k)
+    const int nearest =
+      static_cast<int>(std::min_element(first, first + count,
+                         [](const HemisphereSample& one, const HemisphereSample& other) {
+                           return one.Distance < other.Distance;
+                         }) -
+        first);
+    if (std::isinf(sample.Distance) && !std::isinf(first[nearest].Distance))
     {
-      sample.Radiance += fraction * first[k].Radiance;
-      if (first[k].Distance < sample.Distance)
-      {
-        sample.Distance = first[k].Distance;
-        sample.Normal = first[k].Normal;
-      }
+      sample.Normal = first[nearest].Normal;
+      sample.Distance =
+        ExtendPlane(first[nearest], directions[nearest], this->Hemisphere.Directions[cell]);
     }
-    sample.Variance = 1.f / static_cast<float>(m * m * m);
-    return m * m;
+    sample.Radiance = glm::vec3(0.f);
+    for (int k = 0; k < count; ++k)
+    {
+      sample.Radiance += first[k].Radiance / static_cast<float>(count);
+    }
+    sample.Variance = 1.f / static_cast<float>(count * this->Subdivisions[cell]);
+    return count;
   }
 
   const Gatherer& Source;

@@ -20,6 +20,7 @@ struct SampledHemisphere
   SurfaceNormals Normals{ glm::vec3(0.f) };
   glm::mat3 Frame{ 1.f }; ///< local to scene coordinates
   const HemisphereGrid& Grid;
+  const std::vector<glm::vec3>& Directions; ///< of the samples, scene coordinates
   std::vector<HemisphereSample>& Samples;
 };
 

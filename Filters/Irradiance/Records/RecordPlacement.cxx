@@ -177,7 +177,8 @@ std::optional<Record> RecordPlacement::Gather(const RecordCandidate& site, long 
     }
     if (this->Settings.Refine && !this->Source.SamplesGridAtOnce())
     {
-      SampledHemisphere hemisphere{ site.Position, site.GetNormals(), frame, grid, samples };
+      SampledHemisphere hemisphere{ site.Position, site.GetNormals(), frame, grid, directions,
+        samples };
       rays += RefineHemisphere(
         this->Source, hemisphere, emitterSamples, NoiseFraction * this->GetAbsoluteTolerance());
     }

@@ -95,13 +95,37 @@ HemisphereSample Ceiling(glm::vec3 origin, glm::vec3 direction)
   return sample;
 }
 
-/// Returns the mean estimate of records with different jitter at almost the same point.
+/// Gatherer of light from the plane z = 1, of which a square with sides of 2 has a radiance of 1, the
+/// rest one of 0.
+class SquareGatherer : public Gatherer
+{
+public:
+  long long Gather(glm::vec3 point, const SurfaceNormals&, const std::vector<glm::vec3>& directions,
+    std::vector<HemisphereSample>& samples) const override
+  {
+    samples.assign(directions.size(), HemisphereSample());
+    for (std::size_t i = 0; i < directions.size(); ++i)
+    {
+      const bool isLit = Ceiling(point, directions[i]).Distance < Infinity;
+      samples[i].Distance = (1.f - point.z) / directions[i].z;
+      samples[i].Normal = glm::vec3(0.f, 0.f, 1.f);
+      samples[i].Radiance = glm::vec3(isLit ? 1.f : 0.f);
+    }
+    return static_cast<long long>(directions.size());
+  }
+  DistanceFalloff GetFalloff() const override { return {}; }
+};
+
+/// Returns the mean estimate of records with different jitter at almost the same point. Supersamples
+/// cells if `tolerance` is not 0.
 HemisphereEstimate AverageEstimates(
-  const Gatherer& gatherer, glm::vec3 point, int side, int count = 60)
+  const Gatherer& gatherer, glm::vec3 point, int side, int count = 60, double tolerance = 0.0)
 {
   RecordOctree tree;
   RecordPlacementSettings settings;
   settings.Side = side;
+  settings.Refine = tolerance > 0.0;
+  settings.Tolerance = tolerance > 0.0 ? tolerance : settings.Tolerance;
   const RecordPlacement placement(gatherer, settings, tree);
   HemisphereEstimate mean;
   for (int i = 0; i < count; ++i)
@@ -202,6 +226,26 @@ TEST(HemisphereEstimate, MatchGradientUnderRectangle)
     EXPECT_NEAR(found.Translation[0].x, ComputeDerivative(occlusion, x), .02) << x;
     const auto derivative = [&occlusion](double at) { return ComputeDerivative(occlusion, at); };
     EXPECT_GT(found.HessianNorm, .5 * std::abs(ComputeDerivative(derivative, x))) << x;
+  }
+}
+
+TEST(HemisphereEstimate, MatchGradientWithSupersampledCells)
+{
+  const SquareGatherer square;
+  const ShapeGatherer ceiling(Ceiling);
+  const auto irradiance = [](double x) {
+    return ComputeRectangleOcclusion(-1.0 - x, 1.0 - x, -1.0, 1.0);
+  };
+  for (const double x : { .8, 1.3, 2.0, 3.0 })
+  {
+    const double exact = ComputeDerivative(irradiance, x);
+    for (const Gatherer* gatherer :
+      { static_cast<const Gatherer*>(&square), static_cast<const Gatherer*>(&ceiling) })
+    {
+      const HemisphereEstimate found = AverageEstimates(*gatherer, { x, 0.f, 0.f }, 12, 200, .002);
+      EXPECT_NEAR(found.Mean.x, irradiance(x), .001) << x;
+      EXPECT_NEAR(found.Translation[0].x, exact, .1 * std::abs(exact)) << x;
+    }
   }
 }
 
