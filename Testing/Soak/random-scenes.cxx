@@ -6,7 +6,8 @@
 //   penumbra-random-scenes --seconds N --first-seed S    as many scenes as fit into N seconds
 //   penumbra-random-scenes --seed S [--images FOLDER] [--keep I]...    one scene in this process
 //
-// --effects F multiplies the probabilities of shadows, ambient occlusion, indirect light and media.
+// --effects F multiplies the probabilities of shadows, ambient occlusion, indirect light and media. --extras 1 adds
+// features to props, see RandomExtras.h; they need seeds of their own.
 // Reports crashes, scenes over the limits, values that are not finite, images that depend on the
 // number of threads, tiles above the tolerance whose estimate is below their error, and large regions
 // that differ from VTK's image without a warning. Exit status: 0 if there are none, else 1.
@@ -47,6 +48,7 @@ struct Options
   std::string Images;
   std::vector<int> Kept;
   double Effects = 1.0;
+  bool Extras = false;
   double CastSeconds = 60.0;      ///< of CPU time
   double ReferenceSeconds = 30.0; ///< of CPU time; beyond, the tiles are not compared
   double Gigabytes = 4.0;
@@ -155,7 +157,7 @@ int CheckScene(std::uint64_t seed, const Options& options)
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   LimitMemory(options.Gigabytes);
   std::printf("stage scene\n");
-  const RandomScene scene = MakeRandomScene(seed, options.Kept, options.Effects);
+  const RandomScene scene = MakeRandomScene(seed, options.Kept, options.Effects, options.Extras);
   std::printf("scene %s\nstage cast\n", scene.Description.c_str());
   LimitProcessorTime(options.CastSeconds);
   const CastImage image = CastScene(scene, false);
@@ -216,7 +218,8 @@ Report RunChild(const std::string& program, std::uint64_t seed, const Options& o
     close(channel[1]);
     alarm(static_cast<unsigned int>(20.0 * options.CastSeconds));
     execl(program.c_str(), program.c_str(), "--seed", number.c_str(), "--effects", effects.c_str(),
-      options.Images.empty() ? nullptr : "--images", options.Images.c_str(), nullptr);
+      "--extras", options.Extras ? "1" : "0", options.Images.empty() ? nullptr : "--images",
+      options.Images.c_str(), nullptr);
     _exit(127);
   }
   close(channel[1]);
@@ -399,6 +402,10 @@ bool Parse(int count, char** arguments, Options& options)
     {
       options.Kept.push_back(std::atoi(value));
     }
+    else if (name == "--extras")
+    {
+      options.Extras = std::atoi(value) != 0;
+    }
     else if (name == "--effects")
     {
       options.Effects = std::atof(value);
@@ -420,7 +427,7 @@ int main(int count, char** arguments)
   {
     std::fprintf(stderr,
       "penumbra-random-scenes [--seconds N] [--scenes N] [--first-seed S] "
-      "[--seed S [--keep INDEX]...] [--effects FACTOR] [--images FOLDER]\n");
+      "[--seed S [--keep INDEX]...] [--effects FACTOR] [--extras 0|1] [--images FOLDER]\n");
     return 2;
   }
   if (options.Single)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RandomScenes.h"
 
+#include "RandomExtras.h"
 #include "RandomMeshes.h"
 #include "RandomProps.h"
 
@@ -35,7 +36,8 @@ enum Streams
   LightStream,
   BackgroundStream,
   EffectStream,
-  FirstPropStream
+  FirstPropStream,
+  FirstExtraStream = 1000
 };
 
 /// Where the scene lies in the world.
@@ -63,7 +65,7 @@ Place MakePlace(Random& random, RandomScene& scene)
 }
 
 void AddProps(std::uint64_t seed, Random& random, const Place& place, RandomScene& scene,
-  const std::vector<int>& kept)
+  const std::vector<int>& kept, bool extras)
 {
   const bool difficult = random.Chance(0.35);
   const int count = random.Chance(0.1) ? 20 : 1 + random.Below(7);
@@ -72,12 +74,17 @@ void AddProps(std::uint64_t seed, Random& random, const Place& place, RandomScen
   {
     Random own(seed, FirstPropStream + i);
     const glm::dvec3 center = place.Center + place.Unit * own.Vector();
-    const RandomProp prop = MakeRandomProp(own, scene.Renderer, difficult, center, place.Unit);
+    RandomProp prop = MakeRandomProp(own, scene.Renderer, difficult, center, place.Unit);
     if (!kept.empty() && std::find(kept.begin(), kept.end(), i) == kept.end())
     {
       continue;
     }
     scene.Renderer->AddViewProp(prop.Prop);
+    if (extras)
+    {
+      Random more(seed, FirstExtraStream + i);
+      AddRandomExtras(more, scene.Renderer, place.Unit, prop);
+    }
     scene.Description += std::to_string(i) + ": " + prop.Description + "; ";
     scene.ComparesWithVTK = scene.ComparesWithVTK && !prop.Arbitrary;
     scene.NeedsCaster = scene.NeedsCaster || prop.NeedsCaster;
@@ -299,7 +306,8 @@ void ChooseSettings(Random& random, const Place& place, double frequency, Random
 
 }
 
-RandomScene MakeRandomScene(std::uint64_t seed, const std::vector<int>& kept, double effects)
+RandomScene MakeRandomScene(
+  std::uint64_t seed, const std::vector<int>& kept, double effects, bool extras)
 {
   RandomScene scene;
   scene.Window = vtkSmartPointer<vtkRenderWindow>::New();
@@ -314,7 +322,7 @@ RandomScene MakeRandomScene(std::uint64_t seed, const std::vector<int>& kept, do
   Random background(seed, BackgroundStream);
   Random settings(seed, EffectStream);
   const Place place = MakePlace(view, scene);
-  AddProps(seed, view, place, scene, kept);
+  AddProps(seed, view, place, scene, kept, extras);
   SetView(view, place, scene);
   AddLights(lights, place, scene);
   SetBackground(background, scene);

@@ -43,9 +43,9 @@ struct RandomScene
 };
 
 /// Makes a scene. `kept`: indices of the props to keep, all if empty. `effects` multiplies the
-/// probabilities of light effects.
+/// probabilities of light effects. `extras`: see AddRandomExtras().
 RandomScene MakeRandomScene(
-  std::uint64_t seed, const std::vector<int>& kept = {}, double effects = 1.0);
+  std::uint64_t seed, const std::vector<int>& kept = {}, double effects = 1.0, bool extras = false);
 
 }
 #endif
