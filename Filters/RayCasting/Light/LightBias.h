@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Estimates the bias of joined light from the changes between levels.
+// Estimates the bias of joined light from the changes between levels, and its variance from the difference of both
+// halves of the rays.
 #ifndef penumbra_LightBias_h
 #define penumbra_LightBias_h
 
@@ -22,7 +23,10 @@ struct LevelChanges
   float Weights[LightLevels] = {}; ///< in pixels
   Value Sums[LightLevels] = {};
   Value Totals[LightLevels] = {}; ///< of the changes from the first level
-  Value Variances[LightLevels] = {};
+  Value
+    Variances[LightLevels + 1] = {}; ///< of independent rays: of the sites alone, and of each level
+  Value Differences
+    [LightLevels] = {}; ///< of both halves of each level, squared, as variances of their mean
 
   void Add(const LevelChanges& other, float weight)
   {
@@ -32,7 +36,9 @@ struct LevelChanges
       this->Sums[i] += weight * other.Sums[i];
       this->Totals[i] += weight * other.Totals[i];
       this->Variances[i] += weight * other.Variances[i];
+      this->Differences[i] += weight * other.Differences[i];
     }
+    this->Variances[LightLevels] += weight * other.Variances[LightLevels];
   }
 };
 
@@ -42,6 +48,7 @@ struct PatchBias
 {
   using Value = typename LightTerms<N>::Value;
   Value Squares[LightLevels] = {};
+  Value Gains[LightLevels] = {}; ///< variances of the levels, relative to that of independent rays
 
   PatchBias() = default;
 
@@ -49,10 +56,18 @@ struct PatchBias
   /// coarser levels: in the ratio of a region, if given.
   PatchBias(const LevelChanges<N>& changes, const PatchBias* region)
   {
+    if (region)
+    {
+      std::copy(region->Gains, region->Gains + LightLevels, this->Gains);
+    }
+    else
+    {
+      this->MeasureGains(changes);
+    }
     for (int l = LightLevels - 1; l >= 0; --l)
     {
-      this->Squares[l] = Weigh(
-        changes.Sums[l] / changes.Weights[l], this->Expect(l, region), ComputeNoise(changes, l));
+      this->Squares[l] = Weigh(changes.Sums[l] / changes.Weights[l], this->Expect(l, region),
+        this->ComputeNoise(changes, l));
     }
   }
 
@@ -60,7 +75,7 @@ struct PatchBias
   /// the first level. These are larger where the changes between levels have the same sign.
   void Accumulate(const LevelChanges<N>& changes)
   {
-    const Value noise = ComputeNoise(changes, 1);
+    const Value noise = this->ComputeNoise(changes, 1);
     for (int l = 1; l < LightLevels; ++l)
     {
       const Value total = Weigh(changes.Totals[l] / changes.Weights[l], Value(0.f), noise);
@@ -70,12 +85,26 @@ struct PatchBias
   }
 
 private:
-  /// Returns the standard error of the mean square of a change.
-  static Value ComputeNoise(const LevelChanges<N>& changes, int level)
+  /// The measured ratios are weighed against that of the next finer level.
+  void MeasureGains(const LevelChanges<N>& changes)
   {
+    Value expected(WindowVarianceGain);
+    for (int l = 0; l < LightLevels; ++l)
+    {
+      const float units = changes.Weights[1] / (SharedBlocks * static_cast<float>(4 << 2 * l));
+      const Value measured = changes.Differences[l] / (changes.Variances[l + 1] + 1e-20f);
+      expected = (ExpectedModels * expected + units * measured) / (ExpectedModels + units);
+      this->Gains[l] = expected;
+    }
+  }
+
+  /// Returns the standard error of the mean square of a change.
+  Value ComputeNoise(const LevelChanges<N>& changes, int level) const
+  {
+    const Value gain = level > 0 ? this->Gains[level - 1] : Value(1.f);
     const auto pixels = static_cast<float>(1 << 2 * level); // of a block
     const float units = changes.Weights[level] / pixels;
-    return 2.f * changes.Variances[level] / changes.Weights[level] / std::sqrt(units);
+    return 2.f * gain * changes.Variances[level] / changes.Weights[level] / std::sqrt(units);
   }
 
   /// Weighs a mean square against the expected one, and adds a part of its standard error.

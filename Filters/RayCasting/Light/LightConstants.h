@@ -81,8 +81,6 @@ constexpr std::uint32_t RaysOfComplexHit = 2;
 constexpr int GuideSide = 8;
 constexpr float UnguidedFraction = 0.3f;
 constexpr float GuideMeanPart = 0.1f;
-/// More rays are traced where the estimated error exceeds this fraction of the tolerance.
-constexpr float LightErrorMargin = 0.75f;
 /// Side of the blocks of pixels whose number of rays grows alike, and their number on each side of a tile.
 constexpr int RayBlockSide = 4;
 constexpr int RayBlocks = LightTileSide / RayBlockSide;
@@ -119,9 +117,12 @@ constexpr float PartialSiteBias = 6.f;
 constexpr float SmallestSquaredError = 1e-8f;
 /// Variance of a site that is estimated alone, relative to that of independent rays.
 constexpr float AloneVarianceGain = 0.8f;
-/// Variance relative to that of independent rays, which strata over the window, the blending of windows and
-/// that of levels reduce.
-constexpr float WindowVarianceGain = 0.5f;
+/// Number of blocks whose rays the blended models of a level share.
+constexpr float SharedBlocks = 8.f;
+/// Expected variance of the models of the first level, relative to that of independent rays. Its weight, and that of
+/// the ratio of each level for the next one, in numbers of independent models that are measured.
+constexpr float WindowVarianceGain = 0.8f;
+constexpr float ExpectedModels = 8.f;
 
 }
 #endif

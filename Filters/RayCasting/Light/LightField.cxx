@@ -121,7 +121,7 @@ public:
     {
       return true;
     }
-    const auto limit = static_cast<float>(Square<float>(LightErrorMargin * tolerance));
+    const auto limit = static_cast<float>(Square<float>(tolerance));
     for (int tile = 0; tile < this->Count; ++tile)
     {
       if (this->IncreaseTile(this->GetFirst(static_cast<int>(tile)), limit))
@@ -201,8 +201,10 @@ private:
   {
     const Camera& camera = this->Tracer.GetScene().ViewCamera;
     const glm::ivec2 end = glm::min(first + LightTileSide, glm::ivec2(camera.Width, camera.Height));
-    return penumbra::IncreaseTile(this->Grid, first, end, limit,
-      [&](int x, int y) { return Square<float>(this->Field.At(x, y).Error); });
+    return penumbra::IncreaseTile(this->Grid, first, end, limit, [&](int x, int y) {
+      const LightField::Change change = this->Field.At(x, y);
+      return PixelError{ Square(change.Error), change.Scatter };
+    });
   }
 
   glm::ivec2 GetFirst(int tile) const
@@ -433,7 +435,9 @@ LightField::Change JoinedLight<N>::At(int x, int y) const
       proportional += change(occluded, this->HasShadows ? glm::vec3(0.f) : reflectance);
     }
     products += change(site.Products[Terms::OcclusionTerm], site.Products[Terms::RadianceTerm]);
-    squares += this->ComputeSquaredError(site, samples);
+    const float square = this->ComputeSquaredError(site, samples);
+    squares += square;
+    result.Scatter += this->Grid.Patches[site.Patch].SharedPixels * Square(square);
   }
   const glm::vec3 color = (pixel.Colors[0] + pixel.Colors[1]) / samples;
   const glm::vec3 change = (changes[0] + changes[1]) / samples;
@@ -457,7 +461,9 @@ LightField::Change JoinedLight<N>::At(int x, int y) const
     }
     parts = std::max(parts, std::abs(difference));
   }
-  result.Error = std::sqrt(squares + PartVarianceGain * Square<float>(parts));
+  const float square = PartVarianceGain * Square<float>(parts);
+  result.Scatter += Square(square);
+  result.Error = std::sqrt(squares + square);
   return result;
 }
 

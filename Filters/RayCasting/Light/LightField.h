@@ -45,7 +45,8 @@ public:
   {
     glm::vec3 Factor{ 1.f };
     glm::vec3 Offset{ 0.f };
-    float Error = 0.f; ///< estimated standard error of the color
+    float Error = 0.f;   ///< estimated standard error of the color
+    float Scatter = 0.f; ///< of its square, as in PixelError
   };
   virtual Change At(int x, int y) const = 0;
 

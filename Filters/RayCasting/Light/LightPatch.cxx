@@ -166,7 +166,7 @@ void LightModel<N>::Fit(const LightPatch<N>& window, int side, const Value& squa
   }
   const Value variance = window.GetVariance(squaredRange);
   const float effective = Square(window.Weight) / window.SquaredWeight;
-  this->Variance = WindowVarianceGain * variance * (1.f + 0.5f * freedom) / effective;
+  this->Variance = variance * (1.f + 0.5f * freedom) / effective;
 }
 
 template struct LightPatch<1>;

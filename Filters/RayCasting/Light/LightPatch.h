@@ -55,7 +55,7 @@ struct LightModel
   LightFeatures Mean{};
   Value Means[Halves] = {};
   Value Slopes[Halves][LightFeatures::Count] = {};
-  Value Variance{ 0.f }; ///< estimated, of the mean of both halves
+  Value Variance{ 0.f }; ///< of the mean of both halves, if the rays are independent
 
   /// Fits the model to the sites of a window whose central block has `side`
   /// cells.

@@ -15,25 +15,41 @@
 namespace penumbra
 {
 
+/// Estimated error of a pixel.
+struct PixelError
+{
+  float Square;  ///< negative: the pixel does not count
+  float Scatter; ///< its square, times the number of pixels with the same error
+};
+
 /// Sum over pixels.
 struct ErrorSum
 {
   float Squares = 0.f;
+  float Scatter = 0.f;
   int Count = 0;
+
+  /// Returns the sum of the squared errors and its standard deviation: the fewer errors are independent, the more it
+  /// scatters about its expectation.
+  float GetBound() const { return this->Squares + std::sqrt(2.f * this->Scatter); }
 };
 
-/// Adds the squared errors of the pixels [low, high), except negative ones.
-template <typename SquaredError>
-ErrorSum SumErrors(glm::ivec2 low, glm::ivec2 high, const SquaredError& squaredErrorAt)
+/// Adds the errors of the pixels [low, high).
+template <typename Error>
+ErrorSum SumErrors(glm::ivec2 low, glm::ivec2 high, const Error& errorAt)
 {
   ErrorSum sum;
   for (int y = low.y; y < high.y; ++y)
   {
     for (int x = low.x; x < high.x; ++x)
     {
-      const float square = squaredErrorAt(x, y);
-      sum.Squares += square < 0.f ? 0.f : square;
-      sum.Count += square < 0.f ? 0 : 1;
+      const PixelError error = errorAt(x, y);
+      if (error.Square >= 0.f)
+      {
+        sum.Squares += error.Square;
+        sum.Scatter += error.Scatter;
+        ++sum.Count;
+      }
     }
   }
   return sum;
@@ -74,19 +90,18 @@ bool IncreaseBlock(SiteGrid<N>& grid, glm::ivec2 low, glm::ivec2 high, float fac
   return isIncreased;
 }
 
-/// Increases the targets of pixels in the tile [first, end) if the mean of its squared errors exceeds
-/// `limit`. Returns true if it has increased any. squaredErrorAt(x, y) is negative at pixels that do not
-/// count.
+/// Increases the targets of pixels in the tile [first, end) if the bound of the mean of its squared errors exceeds
+/// `limit`. Returns true if it has increased any. errorAt(x, y): PixelError.
 // Numbers of rays in proportion to the errors of blocks of pixels would lead to the smallest error of the
 // tile (Neyman allocation) if neighbors did not share their rays. They grow by the mean of this and of
 // the same factor in the whole tile.
-template <int N, typename SquaredError>
-bool IncreaseTile(SiteGrid<N>& grid, glm::ivec2 first, glm::ivec2 end, float limit,
-  const SquaredError& squaredErrorAt)
+template <int N, typename Error>
+bool IncreaseTile(
+  SiteGrid<N>& grid, glm::ivec2 first, glm::ivec2 end, float limit, const Error& errorAt)
 {
-  const ErrorSum tile = SumErrors(first, end, squaredErrorAt);
-  const float accepted = static_cast<float>(tile.Count) * limit;
-  if (tile.Squares <= accepted)
+  const ErrorSum tile = SumErrors(first, end, errorAt);
+  const float excess = tile.GetBound() / (static_cast<float>(tile.Count) * limit);
+  if (!(excess > 1.f))
   {
     return false;
   }
@@ -95,11 +110,11 @@ bool IncreaseTile(SiteGrid<N>& grid, glm::ivec2 first, glm::ivec2 end, float lim
   {
     const glm::ivec2 low = first + RayBlockSide * glm::ivec2(i % RayBlocks, i / RayBlocks);
     const glm::ivec2 high = glm::min(low + RayBlockSide, end);
-    const ErrorSum block = SumErrors(low, high, squaredErrorAt);
+    const ErrorSum block = SumErrors(low, high, errorAt);
     const float share = block.Squares * static_cast<float>(tile.Count) /
       (tile.Squares * static_cast<float>(block.Count));
-    isIncreased |= block.Count > 0 &&
-      IncreaseBlock(grid, low, high, 0.5f * (1.f + std::sqrt(share)) * tile.Squares / accepted);
+    isIncreased |=
+      block.Count > 0 && IncreaseBlock(grid, low, high, 0.5f * (1.f + std::sqrt(share)) * excess);
   }
   return isIncreased;
 }

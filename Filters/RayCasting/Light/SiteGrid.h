@@ -24,6 +24,8 @@ struct SitePatch
   Values Slopes[LightFeatures::Count] = {};
   float AloneWeight = 0.f;    ///< weight of the rays of the site alone
   Values SquaredError{ 0.f }; ///< of a site
+  float SharedPixels =
+    1.f; ///< number of pixels that have the same error, as their estimates share rays
 };
 
 /// The sites of the pixels [Low, High), which are multiples of LightTileSide; pixels outside of the

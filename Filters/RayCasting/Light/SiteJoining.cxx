@@ -62,7 +62,8 @@ private:
   struct PatchEstimates
   {
     Value Values[LightLevels][Halves];
-    Value Variances[LightLevels + 1]; ///< the first one: of the sites alone
+    Value Variances[LightLevels +
+      1]; ///< if the rays are independent; the first one: of the sites alone
     float SiteWeight = 0.f;
     Value SiteChanges{
       0.f
@@ -314,7 +315,12 @@ private:
           (estimates.Values[l][1] - estimates.Values[l - 1][1]);
         changes.Totals[l] += parts * (estimates.Values[l][0] - estimates.Values[0][0]) *
           (estimates.Values[l][1] - estimates.Values[0][1]);
-        changes.Variances[l] += parts * estimates.Variances[l];
+      }
+      for (int l = 0; l < LightLevels; ++l)
+      {
+        const Value difference = estimates.Values[l][0] - estimates.Values[l][1];
+        changes.Differences[l] += 0.25f * parts * difference * difference;
+        changes.Variances[l + 1] += parts * estimates.Variances[l + 1];
       }
     }
     const std::vector<Changes> regions = SumRegions(level, own);
@@ -384,10 +390,12 @@ private:
     float smallest = std::numeric_limits<float>::max();
     for (int l = 0; l <= LightLevels; ++l)
     {
-      errors[l] = estimates.Variances[l] / (l == 0 ? part : 1.f);
+      errors[l] = l == 0 ? estimates.Variances[l] / part : Value(0.f);
       for (int k = 0; l > 0 && k < pool.Count; ++k)
       {
-        errors[l] += factor * pool.Weights[k] * this->Bias[pool.Patches[k]].Squares[l - 1];
+        const PatchBias<N>& bias = this->Bias[pool.Patches[k]];
+        errors[l] += pool.Weights[k] *
+          (bias.Gains[l - 1] * estimates.Variances[l] + factor * bias.Squares[l - 1]);
       }
       errors[l] = glm::max(errors[l], Value(SmallestSquaredError));
       combined[l] = LightTerms<N>::Combine(errors[l]);
@@ -403,6 +411,7 @@ private:
     result.Mean = patch.Mean;
     result.AloneWeight = weights[0] / sum;
     result.SquaredError = result.AloneWeight * errors[0];
+    float shared = result.AloneWeight * Square(combined[0]);
     std::uint32_t parent = p;
     for (int l = 1; l <= LightLevels; ++l)
     {
@@ -410,6 +419,8 @@ private:
       const ModelBlend blend(level, parent, this->Cells[p]);
       const float weight = 0.5f * weights[l] / sum;
       result.SquaredError += 2.f * weight * errors[l];
+      shared += 2.f * weight * Square(combined[l]) *
+        std::min(SharedBlocks * Square<float>(level.Side), float(LightTileSide * LightTileSide));
       result.Value += weight * (estimates.Values[l - 1][0] + estimates.Values[l - 1][1]);
       for (int k = 0; k < blend.Count; ++k)
       {
@@ -421,6 +432,7 @@ private:
       }
       parent = l < LightLevels ? level.Parents[parent] : parent;
     }
+    result.SharedPixels = shared / Square(LightTerms<N>::Combine(result.SquaredError));
   }
 
   SiteGrid<N>& Grid;

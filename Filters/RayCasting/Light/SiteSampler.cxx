@@ -74,6 +74,25 @@ std::uint32_t CountPartSamples(double tolerance)
   return samples;
 }
 
+/// Returns the place of a point among `count` points, whose indices begin at a multiple of `count`. A power of two of
+/// points is in Morton order, so that the rays that start in a part of the pixel have consecutive directions.
+std::uint32_t FindPlace(glm::vec2 at, std::uint32_t index, std::uint32_t count)
+{
+  if ((count & (count - 1)) != 0)
+  {
+    return index % count;
+  }
+  std::uint32_t place = 0;
+  for (int axis = 0; count > 1; count /= 2, axis = 1 - axis)
+  {
+    at[axis] *= 2.f;
+    const bool isUpper = at[axis] >= 1.f;
+    at[axis] -= isUpper ? 1.f : 0.f;
+    place = 2 * place + (isUpper ? 1 : 0);
+  }
+  return place;
+}
+
 /// Points of the unit square that choose the directions of the rays of a hit.
 struct DirectionPoints
 {
@@ -138,8 +157,8 @@ void SiteSampler<N>::Begin(glm::ivec2 first)
   this->Requests.clear();
 }
 
-// The points of a pixel are consecutive points of the sequence of the block, those of all its pixels one
-// net. The same holds for the directions.
+// The points of a pixel are consecutive points of the sequence of the block, those of all its pixels one net. So are
+// the directions of the first round, which decides smooth surfaces; those of all later rounds of a pixel are one range.
 template <int N>
 void SiteSampler<N>::AddRequests(
   int cell, std::uint32_t before, std::uint32_t from, std::uint32_t to, std::uint32_t added)
@@ -153,13 +172,14 @@ void SiteSampler<N>::AddRequests(
   const bool isShaded = before == 0 || this->Pixels[cell].IsComplex;
   const std::uint32_t wanted = before == 0 ? 1 : this->CountRaysOfHit(cell);
   const std::uint32_t rays = added % wanted != 0 ? 1 : wanted;
+  const std::uint32_t first = Cells * before + cell * added;
+  const std::uint32_t firstRay = before == 0 ? cell * added : (cell + 1) * MaximumSiteRays + before;
   for (std::uint32_t i = from; i < to; i += rays)
   {
     for (int half = 0; half < Halves; ++half)
     {
-      const std::uint32_t first = Cells * before;
-      this->Requests.push_back({ cell, half, first + (cell * added + i) / rays,
-        first + cell * added + i, rays, isShaded });
+      this->Requests.push_back(
+        { cell, half, (first + i) / rays, firstRay, rays, isShaded, added / rays });
     }
   }
 }
@@ -268,10 +288,11 @@ void SiteSampler<N>::TraceRequests(bool createsSites)
     unsigned int shaded = 0;
     for (int i = 0; i < size; ++i)
     {
-      const Request& request = this->Requests[first + i];
+      Request& request = this->Requests[first + i];
       shaded |= (request.IsShaded ? 1u : 0u) << i;
-      points[i] = glm::dvec2(this->First + GetOffset(request.Cell)) +
-        glm::dvec2(sequences[request.Half].At(request.Index));
+      const glm::vec2 at = sequences[request.Half].At(request.Index);
+      request.FirstRay += request.Rays * FindPlace(at, request.Index, request.Count);
+      points[i] = glm::dvec2(this->First + GetOffset(request.Cell)) + glm::dvec2(at);
     }
     const unsigned int active = size == PacketSize ? 0xffffu : (1u << size) - 1u;
     this->Tracer.TraceLayers(points, active, shaded, samples, this->Layers, this->Counts);

@@ -57,7 +57,8 @@ private:
     std::uint32_t Index;    ///< of its point, in the sequence of the half
     std::uint32_t FirstRay; ///< indices of the directions, in the sequence of the half
     std::uint32_t Rays;
-    bool IsShaded; ///< its color counts
+    bool IsShaded;           ///< its color counts
+    std::uint32_t Count = 1; ///< of the camera rays of the half that are added with it
   };
 
   void Begin(glm::ivec2 first);

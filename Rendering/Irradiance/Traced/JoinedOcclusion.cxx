@@ -3,7 +3,6 @@
 #include "JoinedOcclusion.h"
 
 #include "Execution/ParallelFor.h"
-#include "Light/RayGrowth.h"
 #include "Light/SiteJoining.h"
 #include "Shading/HemisphereSampling.h"
 #include "Shading/OwenSobolSequence.h"
@@ -223,11 +222,12 @@ long long JoinedOcclusion::TraceBlock(glm::ivec2 first)
   return count;
 }
 
-float JoinedOcclusion::SquaredErrorAt(int x, int y) const
+PixelError JoinedOcclusion::ErrorAt(int x, int y) const
 {
   const LightPixel& pixel = this->Grid.ReadPixel(x, y);
-  return pixel.Sites > 0 ? this->Grid.Patches[this->Grid.Sites[pixel.Begin].Patch].SquaredError[0]
-                         : -1.f;
+  return { pixel.Sites > 0 ? this->Grid.Patches[this->Grid.Sites[pixel.Begin].Patch].SquaredError[0]
+                           : -1.f,
+    0.f };
 }
 
 void JoinedOcclusion::Join()
@@ -239,8 +239,8 @@ void JoinedOcclusion::Join()
   for (int tile = 0; tile < tiles.x * tiles.y; ++tile)
   {
     const glm::ivec2 first = this->FirstOfTile(tile);
-    const ErrorSum errors = SumErrors(
-      first, first + LightTileSide, [this](int x, int y) { return this->SquaredErrorAt(x, y); });
+    const ErrorSum errors =
+      SumErrors(first, first + LightTileSide, [this](int x, int y) { return this->ErrorAt(x, y); });
     sum += errors.Squares;
     this->LargestError = std::max(this->LargestError,
       std::sqrt(static_cast<double>(errors.Squares) / std::max(errors.Count, 1)));
@@ -253,16 +253,16 @@ bool JoinedOcclusion::StartRound()
 {
   const auto limit = static_cast<float>(std::pow(TileErrorMargin * this->Tolerance, 2.0));
   const float aim = this->Round < LightRounds ? limit : LateErrorFraction * limit;
-  const auto squaredErrorAt = [this](int x, int y) { return this->SquaredErrorAt(x, y); };
+  const auto errorAt = [this](int x, int y) { return this->ErrorAt(x, y); };
   this->Tiles.clear();
   const glm::ivec2 tiles = this->Grid.High / LightTileSide;
   for (int tile = 0; tile < tiles.x * tiles.y; ++tile)
   {
     const glm::ivec2 first = this->FirstOfTile(tile);
     const glm::ivec2 end = first + LightTileSide;
-    const ErrorSum errors = SumErrors(first, end, squaredErrorAt);
+    const ErrorSum errors = SumErrors(first, end, errorAt);
     if (errors.Squares > static_cast<float>(errors.Count) * limit &&
-      IncreaseTile(this->Grid, first, end, aim, squaredErrorAt))
+      IncreaseTile(this->Grid, first, end, aim, errorAt))
     {
       this->Tiles.push_back(tile);
     }

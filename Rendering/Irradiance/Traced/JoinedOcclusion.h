@@ -10,6 +10,7 @@
 
 #include "Execution/WorkLimit.h"
 #include "Light/LightRays.h"
+#include "Light/RayGrowth.h"
 #include "Light/SiteGrid.h"
 #include "SurfaceFromDepth.h"
 
@@ -48,7 +49,7 @@ private:
   long long TraceBlock(glm::ivec2 first);
   void Join();
   bool StartRound();
-  float SquaredErrorAt(int x, int y) const;
+  PixelError ErrorAt(int x, int y) const;
   glm::ivec2 FirstOfTile(int tile) const;
 
   OcclusionRays Rays;
