@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 namespace penumbra
 {
@@ -76,18 +77,27 @@ public:
   {
     const int left = block % this->CountColumns() * BlockSize;
     const int bottom = block / this->CountColumns() * BlockSize;
+    Packet packet;
     long long count = 0;
     for (int j = 0; j < Period; ++j)
     {
       for (int i = 0; i < Period; ++i)
       {
-        count += this->TracePixelsWithSameShift(left, bottom, i, j);
+        count += this->TracePixelsWithSameShift(left, bottom, i, j, packet);
       }
     }
-    return count;
+    return count + this->TracePacket(packet);
   }
 
 private:
+  /// Rays that are traced together. If few pixels of a block are traced, they have different directions.
+  struct Packet
+  {
+    std::size_t Pixels[PacketSize];
+    glm::vec3 Directions[PacketSize];
+    int Size = 0;
+  };
+
   static int CountParts(int size) { return (size + BlockSize - 1) / BlockSize; }
   int CountColumns() const { return CountParts(this->Width); }
 
@@ -115,7 +125,7 @@ private:
     return size;
   }
 
-  long long TracePixelsWithSameShift(int left, int bottom, int i, int j) const
+  long long TracePixelsWithSameShift(int left, int bottom, int i, int j, Packet& packet) const
   {
     std::size_t pixels[PixelsWithSameShift];
     int size = this->FindPixelsWithSameShift(left, bottom, i, j, pixels);
@@ -126,11 +136,12 @@ private:
       const glm::dvec2 shifted = ComputeSequencePoint(this->Samples.First + sample) + shift;
       const glm::vec3 direction = DiskToHemisphere(SampleUniformDiskConcentric(
         static_cast<float>(Fraction(shifted.x)), static_cast<float>(Fraction(shifted.y))));
-      for (int first = 0; first < size; first += PacketSize)
+      for (int k = 0; k < size; ++k)
       {
-        this->TracePacket(pixels + first, std::min(size - first, PacketSize), direction, rays);
+        packet.Pixels[packet.Size] = pixels[k];
+        packet.Directions[packet.Size++] = direction;
+        rays += packet.Size == PacketSize ? this->TracePacket(packet) : 0;
       }
-      rays += size;
       size =
         static_cast<int>(std::remove_if(pixels, pixels + size,
                            [&](std::size_t pixel) { return this->Counts[pixel] == sample + 1; }) -
@@ -139,11 +150,13 @@ private:
     return rays;
   }
 
-  /// Traces one ray of each pixel. Adds the number of rays that continue behind translucent surfaces to
-  /// `layers`.
-  void TracePacket(
-    const std::size_t* pixels, int size, glm::vec3 direction, long long& layers) const
+  /// Traces the rays of a packet and empties it. Returns their number, with those that continue behind
+  /// translucent surfaces.
+  long long TracePacket(Packet& packet) const
   {
+    const int size = std::exchange(packet.Size, 0);
+    const std::size_t* const pixels = packet.Pixels;
+    long long layers = 0;
     Ray rays[PacketSize];
     for (int k = 0; k < PacketSize; ++k)
     {
@@ -152,7 +165,7 @@ private:
       {
         const SurfacePoint& point = this->Points[pixels[k]];
         rays[k].Origin = point.Position;
-        rays[k].Direction = FrameFromNormal(point.Normal) * direction;
+        rays[k].Direction = FrameFromNormal(point.Normal) * packet.Directions[k];
         rays[k].Far = this->Samples.Radius;
       }
     }
@@ -166,7 +179,7 @@ private:
         this->Sums[this->Stride * pixels[k]] += TraceTranslucentOcclusion(
           this->Rays, rays[k], hits[k], falloff, MinimumTransmittance, layers);
       }
-      return;
+      return size + layers;
     }
     bool isHit[PacketSize];
     this->Rays.Occluded16(rays, isHit);
@@ -174,6 +187,7 @@ private:
     {
       this->Sums[this->Stride * pixels[k]] += isHit[k] ? 1.f : 0.f;
     }
+    return size;
   }
 
   const std::vector<SurfacePoint>& Points;
