@@ -98,7 +98,13 @@ void RestoreCellIds(vtkImageData* image, vtkRenderer* renderer)
 
 vtkSmartPointer<vtkImageData> ReadDensity(const std::string& path)
 {
-  const vtkSmartPointer<vtkDataObject> data = ReadFile(path);
+  std::vector<std::string> warnings;
+  const vtkSmartPointer<vtkDataObject> data = ReadFile(path, std::nullopt, warnings);
+  for (std::string& warning : warnings)
+  {
+    warning.insert(0, path + ": ");
+  }
+  PrintWarnings(warnings);
   const std::string invalid = vtkPenumbraMedium::FindInvalidDensity(data);
   if (!invalid.empty())
   {

@@ -344,10 +344,9 @@ vtkSmartPointer<vtkDataObject> ReadScene(
 }
 
 vtkSmartPointer<vtkDataObject> ReadFile(
-  const std::string& path, std::optional<double> time, std::vector<std::string>* warnings)
+  const std::string& path, std::optional<double> time, std::vector<std::string>& warnings)
 {
-  std::vector<std::string> ignored;
-  return ReadData(path, time, nullptr, warnings ? *warnings : ignored);
+  return ReadData(path, time, nullptr, warnings);
 }
 
 }

@@ -42,10 +42,10 @@ struct ReaderRow
 
 const std::vector<ReaderRow>& Readers();
 
-/// Reads a file, at a time if it has time steps; default: the first. Appends warnings without the name of the file,
-/// if asked for. Throws CommandError, naming the file, if it cannot be read completely.
-vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path,
-  std::optional<double> time = std::nullopt, std::vector<std::string>* warnings = nullptr);
+/// Reads a file, at a time if it has time steps; none: the first. Appends warnings without the name of the file.
+/// Throws CommandError, naming the file, if it cannot be read completely.
+vtkSmartPointer<vtkDataObject> ReadFile(
+  const std::string& path, std::optional<double> time, std::vector<std::string>& warnings);
 
 /// Reads a file as ReadFile() and its appearance. Returns the data sets to which
 /// Appearance::Actors belong.

@@ -249,7 +249,7 @@ Surfaces ReadOneFile(const std::string& path, const InputOptions& options)
     Appearance appearance;
     const vtkSmartPointer<vtkDataObject> data = options.Materials
       ? ReadScene(path, options.Time, appearance)
-      : ReadFile(path, options.Time, &appearance.Warnings);
+      : ReadFile(path, options.Time, appearance.Warnings);
     return ExtractSurfaces(data, appearance, options.Cuts, path);
   }
   catch (const CommandError&)

@@ -11,7 +11,6 @@
 
 #include "vtkPenumbraKernels.h"
 
-
 namespace penumbra
 {
 

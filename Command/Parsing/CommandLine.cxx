@@ -38,35 +38,56 @@ std::size_t CountEdits(const std::string& a, const std::string& b)
   return row.back();
 }
 
-/// Returns the name that is one or two edits from `word`, begins with it or contains it; or "".
+/// Returns the name that is one or two edits from `word`, or of which it is the begin or whole words; or "".
 std::string FindSimilar(const std::vector<std::string>& names, const std::string& word)
 {
+  if (word.size() < 3)
+  {
+    return "";
+  }
   const std::size_t mostEdits = word.size() < 6 ? 1 : 2;
   const auto rank = [&](const std::string& name) {
     const std::size_t edits = CountEdits(name, word);
-    const std::size_t at = name.find(word);
-    return edits <= mostEdits ? edits : at != std::string::npos ? name.size() + 4 * at : at;
+    const std::size_t inside = name.find("-" + word);
+    return edits <= mostEdits                   ? edits
+      : name.compare(0, word.size(), word) == 0 ? name.size()
+      : inside != std::string::npos             ? name.size() + 4 * inside
+                                                : inside;
   };
   const auto best = std::min_element(names.begin(), names.end(),
     [&](const std::string& a, const std::string& b) { return rank(a) < rank(b); });
   return best == names.end() || rank(*best) == std::string::npos ? std::string() : *best;
 }
 
-/// Asks for what an unknown option or subcommand resembles.
-std::string Suggest(const CLI::App& command, const std::string& word)
+/// Returns what an unknown option of `command` may mean, or "".
+std::string FindSimilarOption(const CLI::App& command, const std::string& option)
 {
   std::vector<std::string> names;
-  for (const CLI::App* subcommand : command.get_subcommands({}))
+  for (const CLI::Option* known : command.get_options())
+  {
+    if (!known->get_group().empty()) // hidden otherwise
+    {
+      names.insert(names.end(), known->get_lnames().begin(), known->get_lnames().end());
+    }
+  }
+  const bool isLong = option.rfind("--", 0) == 0;
+  const std::string similar = isLong ? FindSimilar(names, option.substr(2)) : "";
+  return similar.empty() ? "" : "--" + similar;
+}
+
+/// Returns what an unknown subcommand may mean, or "".
+std::string FindSimilarSubcommand(const CLI::App& program, const std::string& word)
+{
+  if (program.get_option_no_throw("--" + word))
+  {
+    return "--" + word;
+  }
+  std::vector<std::string> names;
+  for (const CLI::App* subcommand : program.get_subcommands({}))
   {
     names.push_back(subcommand->get_name());
   }
-  for (const CLI::Option* option : command.get_options())
-  {
-    names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
-  }
-  const bool isOption = word.rfind("--", 0) == 0;
-  const std::string similar = FindSimilar(names, isOption ? word.substr(2) : word);
-  return similar.empty() ? "" : "; did you mean " + (isOption ? "--" + similar : similar) + "?";
+  return FindSimilar(names, word);
 }
 
 // Converts an error of CLI11 to one line; unknown options and subcommands are named.
@@ -74,21 +95,31 @@ std::string DescribeError(const CLI::App& program, const std::exception& error)
 {
   const std::vector<CLI::App*> chosen = program.get_subcommands();
   const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
-  const std::string hint = "; see `penumbra" + command + " --help`";
+  const std::string help = "see `penumbra" + command + " --help`";
+  const std::string hint = "; " + help;
+  const auto suggest = [&](const std::string& similar) {
+    return similar.empty() ? hint : "; did you mean " + similar + "? Otherwise " + help;
+  };
   const std::vector<std::string> extras = program.remaining(true);
+  const std::string first = extras.empty() ? "" : extras.front();
+  const bool isOption = first.rfind('-', 0) == 0;
   const bool missing = dynamic_cast<const CLI::RequiredError*>(&error);
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) || (missing && !extras.empty()))
+  if (missing && chosen.empty() && extras.empty())
   {
-    const std::string first = extras.empty() ? "" : extras.front();
+    return "no subcommand given" + hint;
+  }
+  if (chosen.empty() && !extras.empty() && !isOption)
+  {
+    return first + ": unknown subcommand" + suggest(FindSimilarSubcommand(program, first));
+  }
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) && !isOption)
+  {
+    return first + ": unexpected argument" + hint;
+  }
+  // What is missing may be missing because of an option that is misspelled.
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) || (missing && isOption))
+  {
     const std::string option = FindShortOption(first.substr(0, first.find('=')));
-    if (chosen.empty() && first.rfind('-', 0) != 0)
-    {
-      return first + ": unknown subcommand" + Suggest(program, first) + hint;
-    }
-    if (first.rfind('-', 0) != 0)
-    {
-      return first + ": unexpected argument" + hint;
-    }
     const bool renders = command == " render" || command == " animate";
     const std::string replacement = renders ? FindReplacement(option) : std::string();
     if (!replacement.empty())
@@ -96,11 +127,7 @@ std::string DescribeError(const CLI::App& program, const std::exception& error)
       return option + ": an option of F3D; " + replacement + hint;
     }
     return option + ": unknown option" +
-      Suggest(chosen.empty() ? program : *chosen.front(), option) + hint;
-  }
-  if (missing && chosen.empty())
-  {
-    return "no subcommand given" + hint;
+      suggest(FindSimilarOption(chosen.empty() ? program : *chosen.front(), option));
   }
   return error.what() + hint;
 }

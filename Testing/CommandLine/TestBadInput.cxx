@@ -495,11 +495,16 @@ TEST(InvalidUsage, NamesWhatUnknownWordsResemble)
 {
   const std::vector<std::pair<std::vector<std::string>, std::string>> rows = {
     { { "rendr", "mesh.stl" }, "rendr: unknown subcommand; did you mean render?" },
+    { { "help" }, "help: unknown subcommand; did you mean --help?" },
+    { { "--list" }, "--list: unknown option; see" },
     { { "render", "mesh.stl", "--ouptut", "a.png" }, "did you mean --output?" },
     { { "render", "mesh.stl", "--background", "1,1,1" }, "did you mean --background-color?" },
     { { "render", "mesh.stl", "--size", "9,9" }, "did you mean --point-size?" },
     { { "render", "mesh.stl", "--sparkle" }, "--sparkle: unknown option; see" },
+    { { "render", "mesh.stl", "--at", "9" }, "--at: unknown option; see" },
+    { { "render", "mesh.stl", "-w", "9" }, "-w: unknown option; see" },
     { { "info", "mesh.stl" }, "mesh.stl: unexpected argument; see" },
+    { { "bake", "mesh.stl", "mesh.ply" }, "--output is required; see" },
   };
   for (const auto& [arguments, expected] : rows)
   {

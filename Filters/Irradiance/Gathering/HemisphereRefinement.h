@@ -25,9 +25,9 @@ struct SampledHemisphere
 };
 
 /// Replaces samples of cells by means of further ones, until the estimated standard error of the
-/// mean over the hemisphere is at most `tolerance`, or about MaximumRayFactor times as many rays as
-/// cells are traced. Cells that differ most from their neighbors, or where `emitterSamples` (of all
-/// emitters) lie, get most of them. Returns the number of rays.
+/// mean over the hemisphere is at most `tolerance`. In the first round, at most about
+/// MaximumRayFactor times as many rays as cells are traced. Cells that differ most from their
+/// neighbors, or where `emitterSamples` (of all emitters) lie, get most of them. Returns the number of rays.
 long long RefineHemisphere(const Gatherer& gatherer, SampledHemisphere& hemisphere,
   const std::vector<EmitterSample>& emitterSamples, double tolerance);
 

@@ -74,7 +74,8 @@ public:
   SampledLight EstimateSampledLight(
     glm::vec3 point, const SurfaceNormals& normals, double tolerance, long long& rays) const;
 
-  /// Computes unbiased estimates of it at `count` <= 16 points, from one sample of the suns and of the emitters each.
+  /// Computes estimates of it at `count` <= 16 points, from one sample of the suns and of the emitters each; unbiased,
+  /// but rays from a known hit may start at its curved surface, see LiftRayStart().
   void SampleLights(const LightReceiver* receivers, std::uint32_t count, glm::vec3* estimates,
     long long& rays) const;
   /// The same at one point with a random sample.

@@ -157,29 +157,33 @@ public:
     Ray& ray = this->Packet[i];
     ray = Ray();
     ray.Origin = at.Position + RayOriginOffset(at.Position) * normals.Geometric;
-    const auto sample = [&]() {
-      return this->Light.SampledEmitters->SampleDirection(ray.Origin, normals.Shading, at.Sample);
-    };
-    emitter = sample();
-    glm::vec3 start = at.Position;
-    glm::vec3 up = normals.Geometric;
-    if (emitter.Density > 0.f &&
-      LiftRayStart(this->Light.SurfaceShading, start, at.Where, normals, emitter.Direction, rays))
-    {
-      up = normals.Shading;
-      ray.Origin = start + RayOriginOffset(start) * up;
-      emitter = sample();
-    }
-    if (!(emitter.Density > 0.f && glm::dot(emitter.Direction, up) > 0.f))
+    emitter = this->Light.SampledEmitters->SampleDirection(ray.Origin, normals.Shading, at.Sample);
+    this->Unshadowed[i] = 0.f;
+    if (!(emitter.Density > 0.f))
     {
       ray = MakeInactiveRay();
-      this->Unshadowed[i] = 0.f;
+      return glm::vec3(0.f);
+    }
+    const float density = glm::dot(normals.Shading, emitter.Direction) / Pi;
+    const float weight = density * PowerHeuristic(emitter.Density, density) / emitter.Density;
+    const glm::vec3 target = ray.Origin + emitter.Distance * emitter.Direction;
+    glm::vec3 start = at.Position;
+    glm::vec3 up = normals.Geometric;
+    if (LiftRayStart(this->Light.SurfaceShading, start, at.Where, normals, emitter.Direction, rays))
+    {
+      // Of the same sample, only the visibility is that from the curved surface.
+      up = normals.Shading;
+      ray.Origin = start + RayOriginOffset(start) * up;
+      emitter.Distance = glm::distance(target, ray.Origin);
+      emitter.Direction = (target - ray.Origin) / emitter.Distance;
+    }
+    if (!(glm::dot(emitter.Direction, up) > 0.f))
+    {
+      ray = MakeInactiveRay();
       return glm::vec3(0.f);
     }
     ray.Direction = emitter.Direction;
     ray.Far = (1.f + 2.f * EmitterDistanceTolerance) * emitter.Distance;
-    const float density = glm::dot(normals.Shading, emitter.Direction) / Pi;
-    const float weight = density * PowerHeuristic(emitter.Density, density) / emitter.Density;
     this->Unshadowed[i] = weight * emitter.Target->Strength;
     return glm::vec3(weight);
   }
