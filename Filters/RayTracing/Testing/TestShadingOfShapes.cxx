@@ -6,7 +6,6 @@
 #include "ShadingOfActor.h"
 #include "Surface.h"
 
-#include "vtkAppendPolyData.h"
 #include "vtkAssembly.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
@@ -190,33 +189,6 @@ TEST_F(ActorShadingTest, MatchesVTKForWireframesWithoutNormals)
   const RasterComparison::Result result = this->Comparison.Compare();
   EXPECT_GE(result.Pixels, 1000);
   EXPECT_LE(result.Different, .06 * result.Pixels);
-}
-
-TEST_F(ActorShadingTest, MatchesVTKForEdgesAndPointsInOnePlaceWithDifferentNormals)
-{
-  vtkNew<vtkAppendPolyData> both;
-  for (const double slope : { 0.0, 0.9, 0.3 })
-  {
-    vtkNew<vtkPlaneSource> plane;
-    plane->Update();
-    for (vtkIdType i = 0; i < 4; ++i)
-    {
-      plane->GetOutput()->GetPointData()->GetNormals()->SetTuple3(i, slope, 0.0, 1.0);
-    }
-    both->AddInputData(plane->GetOutput());
-  }
-  both->Update();
-  this->SetMesh(both->GetOutput());
-  this->Property()->SetLineWidth(9.0);
-  this->Property()->SetPointSize(9.0);
-  for (const int representation : { VTK_WIREFRAME, VTK_POINTS })
-  {
-    this->Property()->SetRepresentation(representation);
-    const RasterComparison::Result result = this->Comparison.Compare();
-    EXPECT_GE(result.Pixels, representation == VTK_POINTS ? 100 : 500);
-    EXPECT_LE(
-      result.Different, .06 * result.Pixels); // lines that meet at a vertex overlap differently
-  }
 }
 
 TEST_F(ActorShadingTest, MatchesVTKForPoints)

@@ -12,12 +12,8 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <numeric>
 #include <tuple>
-#include <utility>
 
 namespace penumbra
 {
@@ -60,36 +56,6 @@ bool HasNoLength(vtkPolyData* data, vtkIdType from, vtkIdType to)
   return std::equal(a, a + 3, b);
 }
 
-/// Returns for each point the first one with the same coordinates. Returns none if all coordinates differ.
-std::vector<std::uint32_t> FindPlaces(vtkPolyData* data)
-{
-  const auto count = static_cast<std::size_t>(data->GetNumberOfPoints());
-  std::vector<std::pair<std::array<double, 3>, std::uint32_t>> sorted(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    sorted[i].second = static_cast<std::uint32_t>(i);
-    data->GetPoint(static_cast<vtkIdType>(i), sorted[i].first.data());
-    for (double& x : sorted[i].first)
-    {
-      x = std::isnan(x) ? std::numeric_limits<double>::infinity()
-                        : x; // cannot be sorted; neither is drawn
-    }
-  }
-  std::sort(sorted.begin(), sorted.end());
-  const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
-  if (std::adjacent_find(sorted.begin(), sorted.end(), same) == sorted.end())
-  {
-    return {};
-  }
-  std::vector<std::uint32_t> places(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const bool isRepeated = i > 0 && same(sorted[i - 1], sorted[i]);
-    places[sorted[i].second] = isRepeated ? places[sorted[i - 1].second] : sorted[i].second;
-  }
-  return places;
-}
-
 /// Keeps the first of the segments between the same two points.
 void RemoveDuplicates(std::vector<LineSegment>& segments)
 {
@@ -125,17 +91,15 @@ int GetOpacity(const DrawItem& item, std::uint32_t cell)
   return isPerCell ? static_cast<int>(item.Colors.Colors->GetComponent(cell, 3)) : 255;
 }
 
-/// Keeps the visible one of the segments between the same two points, or places: the most opaque one, or of
+/// Keeps the visible one of the segments between the same two points: the most opaque one, or of
 /// equal ones the last one, which passes the depth test of VTK. The order remains.
-void KeepVisibleDuplicates(const DrawItem& item, const std::vector<std::uint32_t>& places,
-  std::vector<LineSegment>& segments)
+void KeepVisibleDuplicates(const DrawItem& item, std::vector<LineSegment>& segments)
 {
   std::vector<std::uint32_t> order(segments.size());
   std::iota(order.begin(), order.end(), 0u);
-  const auto place = [&](std::uint32_t id) { return id < places.size() ? places[id] : id; };
   const auto ends = [&](std::uint32_t i) {
-    const auto [low, high] = std::minmax({ place(segments[i].From), place(segments[i].To) });
-    return std::make_pair(low, high);
+    return std::make_pair(
+      std::min(segments[i].From, segments[i].To), std::max(segments[i].From, segments[i].To));
   };
   const auto key = [&](std::uint32_t i) {
     return std::make_tuple(ends(i), GetOpacity(item, segments[i].Cell), i);
@@ -163,12 +127,10 @@ void KeepVisibleDuplicates(const DrawItem& item, const std::vector<std::uint32_t
   segments.resize(kept);
 }
 
-/// Keeps one of the segments between the same two places, with the largest of their slopes.
+/// Keeps one of the segments between the same two points, with the largest of their slopes.
 void ResolveDuplicates(const DrawItem& item, std::vector<LineSegment>& segments)
 {
-  const std::vector<std::uint32_t> places = FindPlaces(item.Data);
-  AreCellsDistinct(item) || !places.empty() ? KeepVisibleDuplicates(item, places, segments)
-                                            : RemoveDuplicates(segments);
+  AreCellsDistinct(item) ? KeepVisibleDuplicates(item, segments) : RemoveDuplicates(segments);
 }
 
 /// Removes the segments between two polygons that are parts of one face, see CurvedFaceIds.
