@@ -399,7 +399,7 @@ void OrientNifti(vtkAlgorithm* algorithm, const std::string& path, vtkDataObject
   if (reader->GetTimeDimension() > 1)
   {
     warnings.push_back("only the first of " + std::to_string(reader->GetTimeDimension()) +
-      " volumes is shown; write one file per volume");
+      " volumes is read; write one file per volume");
   }
   vtkImageData* image = vtkImageData::SafeDownCast(data);
   vtkMatrix4x4* matrix =

@@ -59,6 +59,41 @@ bool FindCrossing(const PixelSegment& s, const PixelSegment& t, double& x)
   x = s.A.x + u * d.x;
   return true;
 }
+
+// Keeps the heights of ends relative to the segments that they touch, or may have crossed because the ends of either
+// were moved in x. `segments`: before that.
+void KeepJunctions(const PixelSegment* segments, std::vector<PixelSegment>& moved)
+{
+  const auto keep = [&](const glm::dvec2& from, glm::dvec2& to) {
+    if (!(from.y > 0.0 && from.y < 1.0))
+    {
+      return;
+    }
+    double nearest = 1.0;
+    for (std::size_t i = 0; i < moved.size(); ++i)
+    {
+      const auto [low, high] = std::minmax(segments[i].A.x, segments[i].B.x);
+      const auto [movedLow, movedHigh] = std::minmax(moved[i].A.x, moved[i].B.x);
+      if (from.x > low + Epsilon && from.x < high - Epsilon && movedLow < movedHigh &&
+        to.x >= movedLow && to.x <= movedHigh)
+      {
+        const double before = ComputeHeight(segments[i], from.x);
+        const double after = ComputeHeight(moved[i], to.x);
+        const double distance = std::abs(from.y - before);
+        if (distance < nearest && distance <= MinimumOpening + std::abs(after - before))
+        {
+          nearest = distance;
+          to.y = after + (from.y - before);
+        }
+      }
+    }
+  };
+  for (std::size_t i = 0; i < moved.size(); ++i)
+  {
+    keep(segments[i].A, moved[i].A);
+    keep(segments[i].B, moved[i].B);
+  }
+}
 }
 
 bool ClipToPixel(PixelSegment& segment)
@@ -172,6 +207,7 @@ const PixelSegment* PixelArrangement::MakeVertical(const PixelSegment* segments,
     move(segment.A.x);
     move(segment.B.x);
   }
+  KeepJunctions(segments, this->Vertical);
   return this->Vertical.data();
 }
 

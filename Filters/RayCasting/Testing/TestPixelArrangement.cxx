@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -120,16 +121,54 @@ TEST(PixelArrangement, SeparatesTheSidesOfASteepSegmentThatCrossesAnotherNearIts
   }
 }
 
+TEST(PixelArrangement, KeepsFacesOfSteepSegmentsThatEndOnSlopedOnes)
+{
+  // Slope of the line through (.4, .5), and the areas above, and below on the left and the right.
+  for (const std::array<double, 4>& row : { std::array<double, 4>{ 1.0, 0.405, 0.12, 0.475 },
+         { -1.0, 0.595, 0.28, 0.125 }, { -5.0, 0.6, 0.375, 0.025 } })
+  {
+    // The end is this distance above the line.
+    for (const double overlap : { 0.0, 2e-6 })
+    {
+      for (const double width : { 1e-7, 1e-6, 3e-6, 9e-6 })
+      {
+        for (const bool isMirrored : { false, true })
+        {
+          const auto mirror = [&](glm::dvec2 p) {
+            return isMirrored ? glm::dvec2(p.x, 1.0 - p.y) : p;
+          };
+          const glm::dvec2 end(0.4 + width, 0.5);
+          const glm::dvec2 direction(1.0, row[0]);
+          const std::vector<double> areas =
+            SortedAreas(Arrange({ { mirror({ 0.4, -0.2 }), mirror(end + glm::dvec2(0.0, overlap)) },
+              { mirror(end - 2.0 * direction), mirror(end + 2.0 * direction) } }));
+          SCOPED_TRACE(
+            testing::Message() << row[0] << " " << overlap << " " << width << " " << isMirrored);
+          std::vector<double> expected(row.begin() + 1, row.end());
+          std::sort(expected.begin(), expected.end());
+          ASSERT_EQ(areas.size(), 3u);
+          for (std::size_t i = 0; i < 3; ++i)
+          {
+            EXPECT_NEAR(areas[i], expected[i], 1e-4);
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(PixelArrangement, KeepsSidesOfThePixelClosedNextToSteepSegments)
 {
   for (const double x : { 0.0, 1.0 })
   {
-    const PixelArrangement arrangement =
-      Arrange({ { { x - 1e-7, -0.2 }, { x + 1e-7, 1.2 } }, { { -1.0, 0.5 }, { 2.0, 0.5 } } });
-    const std::vector<double> areas = SortedAreas(arrangement);
-    ASSERT_GE(areas.size(), 2u);
-    EXPECT_NEAR(areas[areas.size() - 1], 0.5, 1e-5);
-    EXPECT_NEAR(areas[areas.size() - 2], 0.5, 1e-5);
+    const double sign = x > 0.5 ? -1.0 : 1.0;
+    const std::vector<double> areas =
+      SortedAreas(Arrange({ { { x - sign * 1e-7, 0.4 }, { x + sign * 4e-7, 0.6 } },
+        { { -1.0, 0.3 }, { 2.0, 0.3 } }, { { -1.0, 0.7 }, { 2.0, 0.7 } } }));
+    ASSERT_EQ(areas.size(), 3u);
+    EXPECT_NEAR(areas[0], 0.3, 1e-5);
+    EXPECT_NEAR(areas[1], 0.3, 1e-5);
+    EXPECT_NEAR(areas[2], 0.4, 1e-5);
   }
 }
 

@@ -324,7 +324,7 @@ TEST(Volumes, OnlyTheFirstOfSeveralIsShownWithAWarning)
     const ProgramResult outcome = RunProgram(arguments);
     EXPECT_EQ(outcome.Status, 0);
     EXPECT_NE(
-      outcome.Errors.find("steps.nii: only the first of 3 volumes is shown"), std::string::npos)
+      outcome.Errors.find("steps.nii: only the first of 3 volumes is read"), std::string::npos)
       << outcome.Errors;
   }
 }
