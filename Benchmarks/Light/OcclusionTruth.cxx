@@ -124,17 +124,57 @@ private:
       glm::normalize((1.f - hit.U - hit.V) * normals[0] + hit.U * normals[1] + hit.V * normals[2]);
   }
 
+  /// Returns the height of the curved surface of the normals above a point of its triangle [Hanika 2021]: the point
+  /// moved to the tangent planes of the corners that it is below, blended.
+  float FindCurvedHeight(const Hit& hit, glm::vec3 point, const SurfaceNormals& atPoint) const
+  {
+    const Surface& surface = this->Rays.GetScene().Surfaces[hit.Surface];
+    const std::array<glm::vec3, 3> corners = surface.GetPoints(hit.Primitive);
+    const std::array<glm::vec3, 3> normals = surface.GetNormals(hit.Primitive, surface.Normals);
+    const float weights[] = { 1.f - hit.U - hit.V, hit.U, hit.V };
+    const glm::vec3 mean =
+      weights[0] * normals[0] + weights[1] * normals[1] + weights[2] * normals[2];
+    const float side = glm::dot(mean, atPoint.Shading) < 0.f ? -1.f : 1.f;
+    glm::vec3 moved(0.f);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const glm::vec3 normal = side * glm::normalize(normals[i]);
+      const bool isBehind = !(glm::dot(normal, atPoint.Geometric) > 0.f);
+      const float height = isBehind ? 0.f : std::min(glm::dot(point - corners[i], normal), 0.f);
+      moved += weights[i] * (point - height * normal);
+    }
+    return glm::dot(moved - point, atPoint.Geometric);
+  }
+
   double TraceSun(const Ray& ray, const Hit& hit) const
   {
-    const SurfaceNormals normals = this->FindNormals(ray, hit);
-    const double cosine = glm::dot(this->FindLightingNormal(ray, hit), this->Sun);
-    if (!(cosine > 0.0) || !(glm::dot(normals.Geometric, this->Sun) > 0.f))
+    const SurfaceNormals normals(
+      this->FindLightingNormal(ray, hit), this->FindNormals(ray, hit).Geometric);
+    const double cosine = glm::dot(normals.Shading, this->Sun);
+    const float slope = glm::dot(normals.Geometric, this->Sun);
+    glm::vec3 start = ray.Origin + hit.Distance * ray.Direction;
+    glm::vec3 up = normals.Geometric;
+    // Light that is nearly along the triangle, or behind it, starts at the curved surface; from .2 to .1 partly.
+    const float part = std::min(std::max(2.f - slope / 0.1f, 0.f), 1.f);
+    if (part > 0.f && !this->Rays.GetScene().Surfaces[hit.Surface].Normals.empty() &&
+      glm::dot(normals.Shading, normals.Geometric) > 0.f)
+    {
+      Ray lift;
+      lift.Origin = start + RayOriginOffset(start) * up;
+      lift.Direction = up;
+      lift.Far = part * this->FindCurvedHeight(hit, start, normals);
+      if (!(lift.Far > 0.f) || !this->Rays.Intersect(lift).IsHit())
+      {
+        start = lift.Origin + lift.Far * up;
+        up = normals.Shading;
+      }
+    }
+    if (!(cosine > 0.0) || !(glm::dot(up, this->Sun) > 0.f))
     {
       return 0.0;
     }
-    const glm::vec3 point = ray.Origin + hit.Distance * ray.Direction;
     Ray shadow;
-    shadow.Origin = point + RayOriginOffset(point) * normals.Geometric;
+    shadow.Origin = start + RayOriginOffset(start) * up;
     shadow.Direction = this->Sun;
     return this->Rays.Intersect(shadow).IsHit() ? 0.0 : cosine;
   }
