@@ -18,8 +18,8 @@ namespace
 
 /// Relative enlargement of the sphere around an instance, for rounding errors.
 constexpr double SphereSlack = 1e-6;
-/// Relative extension of the range of a ray, so that of two hits at the same distance, the one of
-/// the first instance is found in any order.
+/// Relative extension of the range of a ray, so that of two hits at the same distance, the
+/// same one is found in any order.
 constexpr double RangeSlack = 1e-6;
 
 void ComputeBounds(const RTCBoundsFunctionArguments* args)
@@ -79,8 +79,8 @@ struct LocalRay
   }
 };
 
-/// Embree callback: nearest hit. Of equally distant instances, the first one is hit, so that the
-/// result does not depend on the order of the traversal.
+/// Embree callback: nearest hit. Of equally distant hits, that of the last surface is kept, as of round shapes, and of
+/// one surface that of the first instance, so that the result does not depend on the order of the traversal.
 void Intersect(const RTCIntersectFunctionNArguments* args)
 {
   const TracedSurface& traced = GetTraced(args->geometryUserPtr);
@@ -122,7 +122,7 @@ void Intersect(const RTCIntersectFunctionNArguments* args)
     const unsigned int geometry = RTCHitN_geomID(hits, size, i);
     if (distance > farthest ||
       (distance == farthest && geometry != RTC_INVALID_GEOMETRY_ID &&
-        (geometry < args->geomID ||
+        (geometry > args->geomID ||
           (geometry == args->geomID && RTCHitN_primID(hits, size, i) < primitive))))
     {
       continue;

@@ -278,8 +278,8 @@ void ForEachHit(const TracedSurface& traced, unsigned int primitive, const int* 
     [&](std::uint32_t shape) { ForEachHitOfShape(traced, shape, valid, rays, size, function); });
 }
 
-/// Embree callback: nearest hit. Of equally distant shapes, the last one is hit, as VTK draws it over the
-/// others, so that the result does not depend on the order of the traversal.
+/// Embree callback: nearest hit. Of equally distant shapes, the last one is hit, so that the result does not depend on
+/// the order of the traversal. VTK draws it over the others, too, unless it is opaque and one of them is translucent.
 void Intersect(const RTCIntersectFunctionNArguments* args)
 {
   RTCRayN* const rays = RTCRayHitN_RayN(args->rayhit, args->N);

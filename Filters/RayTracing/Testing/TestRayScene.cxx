@@ -5,12 +5,14 @@
 #include "Embree/RoundIntersection.h"
 #include "Scene.h"
 #include "Surface.h"
+#include "SurfaceInstances.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -449,4 +451,65 @@ TEST(RayScene, FindsTheNearestOfManySpheres)
     }
   }
   EXPECT_GT(hits, 20);
+}
+
+TEST(RayScene, FindsTheLastOfEquallyDistantSpheresOfTwoSurfaces)
+{
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> uniform(-1.f, 1.f);
+  const auto draw = [&] { return glm::vec3(uniform(random), uniform(random), uniform(random)); };
+  Surface surface;
+  for (int i = 0; i < 100; ++i)
+  {
+    surface.Positions.push_back(draw());
+    surface.Radii.push_back(0.2f);
+  }
+  Scene scene;
+  scene.Surfaces = { surface, surface };
+  // The order of the spheres differs, so that either surface may be met first.
+  std::reverse(scene.Surfaces[1].Positions.begin(), scene.Surfaces[1].Positions.end());
+  for (int order = 0; order < 2; ++order)
+  {
+    const RayScene rays(scene, 1);
+    int hits = 0;
+    for (int i = 0; i < 1000; ++i)
+    {
+      const Hit hit = rays.Intersect({ draw(), glm::normalize(draw()) });
+      hits += hit.IsHit() ? 1 : 0;
+      EXPECT_EQ(hit.IsHit() ? hit.Surface : 1u, 1u);
+    }
+    EXPECT_GT(hits, 500);
+    std::swap(scene.Surfaces[0], scene.Surfaces[1]);
+  }
+}
+
+TEST(RayScene, FindsTheLastOfASphereAndAnInstanceAtTheSameDistance)
+{
+  Surface sphere;
+  sphere.Positions = { { 0.f, 0.f, -5.f } };
+  sphere.Radii = { 5.f };
+  Surface square = Square(0.f);
+  auto instances = std::make_shared<SurfaceInstances>();
+  instances->Transforms = { glm::dmat4x3(1.0) };
+  instances->Transforms[0][3] = { 0.0, 0.25, 0.0 };
+  instances->Colors = { glm::u8vec4(255) };
+  instances->Ids = { 0 };
+  instances->Radius = 2.0;
+  // If its box is higher, the square is met first.
+  for (const double height : { 0.0, 1.0 })
+  {
+    instances->HalfSize = { 1.0, 1.0, height };
+    square.Instances = std::make_shared<const SurfaceInstances>(*instances);
+    for (const std::vector<Surface>& surfaces :
+      { std::vector<Surface>{ sphere, square }, std::vector<Surface>{ square, sphere } })
+    {
+      Scene scene;
+      scene.Surfaces = surfaces;
+      const RayScene rays(scene, 1);
+      const Hit hit = rays.Intersect(Down(0.f, 0.f, 20.f));
+      ASSERT_TRUE(hit.IsHit());
+      EXPECT_EQ(hit.Distance, 20.f);
+      EXPECT_EQ(hit.Surface, 1u) << height << " " << surfaces[0].IsRound();
+    }
+  }
 }
