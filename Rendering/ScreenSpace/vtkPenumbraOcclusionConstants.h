@@ -42,7 +42,9 @@ struct OcclusionConstants
   /// Convergence up to which samples differ from pixel to pixel, c_rot in [TSSAO].
   double RotationConvergence = 0.5;
 
-  /// Maximum number of samples kept at a pixel if a neighbor moved [TSSAO eq. 9].
+  /// Maximum number of samples kept at a pixel if the view stops or the estimator changes, and if a neighbor
+  /// moved [TSSAO eq. 9]. In the last case, the default means 0.45 for estimators that add their samples to
+  /// the history, such as rays. From MaximumWeight on, samples are kept regardless of what moved.
   double InvalidationWeight = 30.0;
 
   /// Relative depth difference from which history is rejected as that of another surface; limited to

@@ -186,6 +186,28 @@ TEST(TracedEstimator, TracesOneQuarterOfThePixelsInMotion)
   EXPECT_NEAR(countRays(1) / all, 1.0, .02);
 }
 
+TEST(TracedEstimator, TracesEveryPixelOnceInFourFramesOfMotion)
+{
+  OcclusionScene scene(62, 45);
+  AddSpheres(scene);
+  AddTracedPass(scene, 1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+  GetEstimator(scene)->SetSamplesPerRay(32);
+  scene.Window->Render();
+  const std::vector<float> first = scene.Array("Convergence");
+  for (int frame = 0; frame < 4; ++frame)
+  {
+    scene.Renderer->GetActiveCamera()->Azimuth(.001);
+    scene.Window->Render();
+  }
+  const std::vector<float> last = scene.Array("Convergence");
+  int others = 0; // at outlines, history may be discarded
+  for (std::size_t i = 0; i < last.size(); ++i)
+  {
+    others += std::abs((last[i] - first[i]) * scene.Pass->GetConstants().MaximumWeight - 1.0) > .1;
+  }
+  EXPECT_LT(others, 62 * 45 / 100);
+}
+
 TEST(TracedEstimator, TracesEveryPixelWithoutHistoryInMotion)
 {
   for (const int samplesPerRay : { 32, 16, 4 })

@@ -179,11 +179,11 @@ void OcclusionViewState::UpdateActorMotion()
 void OcclusionViewState::CompareSettings(const OcclusionSettings& last)
 {
   OcclusionSettings& now = this->Settings;
-  OcclusionConstants& constants = now.Constants;
-  if (this->Estimator->CanAddToHistory())
-  {
-    constants.InvalidationWeight = std::min(constants.InvalidationWeight, KeptOfOwnSamples);
-  }
+  const OcclusionConstants& constants = now.Constants;
+  const bool isDefault = constants.InvalidationWeight == OcclusionConstants().InvalidationWeight;
+  this->MovedNeighborWeight = isDefault && this->Estimator->CanAddToHistory()
+    ? KeptOfOwnSamples
+    : constants.InvalidationWeight;
   // If InvalidationWeight is at least MaximumWeight, sample validation has no effect.
   now.PropsChanged = now.PropsChanged && constants.InvalidationWeight < constants.MaximumWeight;
   // An image that converges in one Render() does not depend on earlier ones.
@@ -359,7 +359,7 @@ vtkPenumbraOcclusionEstimator::Addition OcclusionViewState::AccumulateSamples(
   temporal.DepthTolerance = constants.DepthTolerance;
   temporal.ImageOnly = this->Estimator->NeedsMargin();
   temporal.NeighborValidation = this->Settings.SceneChanged;
-  temporal.InvalidationWeight = constants.InvalidationWeight;
+  temporal.InvalidationWeight = this->MovedNeighborWeight;
   temporal.PropsChanged = this->Settings.PropsChanged;
   temporal.Motion = this->HasActorMotion ? &this->Motion : nullptr;
   if (this->Settings.EstimatorChanged)
@@ -437,7 +437,7 @@ HistoryCounts OcclusionViewState::CountPixels()
   inputs.History = this->History.GetTexture();
   inputs.MovedActors = this->HasActorMotion ? this->Motion.GetTarget() : nullptr;
   inputs.NewWeight = this->NewSamples > 0 ? this->DisocclusionSamples : 0;
-  inputs.InvalidationWeight = this->Settings.Constants.InvalidationWeight;
+  inputs.InvalidationWeight = this->MovedNeighborWeight;
   inputs.ConvergedWeight = this->Converged
     ? 0.0
     : this->Settings.Constants.SpatialConvergence * this->Settings.Constants.MaximumWeight;

@@ -116,7 +116,8 @@ private:
   int FramesWithTurns = 0;                     ///< frames in which settled pixels took turns
   int SamplesSinceReset = 0; ///< number of samples since the history was discarded
   int NewSamples = 0;
-  int DisocclusionSamples = 0; ///< number of new samples at pixels without history
+  int DisocclusionSamples = 0;      ///< number of new samples at pixels without history
+  double MovedNeighborWeight = 0.0; ///< maximum number of samples kept if a neighbor moved
   int Props = 0;
   bool HasActorMotion = false;   ///< the image of moving actors is valid in this frame
   bool Refined = false;          ///< the history is an image of the estimator's Refine()

@@ -129,7 +129,7 @@ bool TemporalHistory::Add(vtkOpenGLRenderWindow* window, const DelegateImage& im
 bool TemporalHistory::Reproject(const vtkPenumbraOcclusionEstimator::Request& request,
   vtkPenumbraOcclusionEstimator* estimator, const TemporalSettings& settings, int& samples)
 {
-  this->SwapTextures(request.Window, request.Depth->GetView());
+  const bool isNew = this->SwapTextures(request.Window, request.Depth->GetView());
   Stage& stage = settings.NeighborValidation ? this->Validation : this->Reprojection;
   const std::string shader = estimator->GetShader();
   vtkShaderProgram* program = stage.Ready(request.Window,
@@ -142,7 +142,9 @@ bool TemporalHistory::Reproject(const vtkPenumbraOcclusionEstimator::Request& re
   }
   request.Depth->GetView().SetUniforms(program);
   samples = shader.empty() ? 0 : estimator->SetUniforms(request, program);
-  SetWeights(program, samples, settings);
+  TemporalSettings weights = settings;
+  weights.WeightCap = isNew ? 0.0 : settings.WeightCap;
+  SetWeights(program, samples, weights);
   SetMotion(stage, program, *request.Depth, settings);
   stage.BindTexture("history", this->GetScratchTexture());
   stage.Draw(*request.Parts);
