@@ -38,7 +38,8 @@ std::size_t CountEdits(const std::string& a, const std::string& b)
   return row.back();
 }
 
-/// Returns the name that is one or two edits from `word`, or of which it is the begin or whole words; or "".
+/// Returns the name that is one or two edits from `word`, or the shortest one that begins with it or has a word that
+/// does; or "".
 std::string FindSimilar(const std::vector<std::string>& names, const std::string& word)
 {
   if (word.size() < 3)

@@ -34,9 +34,6 @@ int ComputeEquivalentRays(double error)
   return static_cast<int>(std::clamp(.25 / (error * error), 1.0, static_cast<double>(Maximum)));
 }
 
-/// Number of frames in which each pixel with a long history has one turn, if the frames are sparse.
-constexpr int NumberOfPhases = 4;
-
 /// Indices of the first samples of frames in motion, beyond the indices that a static view normally
 /// reaches.
 constexpr int SparseSequenceStart = 1 << 18;
@@ -263,13 +260,14 @@ try
   limits.PerPixel = request.Samples / this->SamplesPerRay;
   limits.Sparse = request.Moving && this->SparseInMotion;
   limits.Phase = viewState.FramePhase;
-  viewState.FramePhase = (viewState.FramePhase + 1) % NumberOfPhases;
+  viewState.FramePhase = (viewState.FramePhase + 1) % penumbra::MotionPhases;
   penumbra::RaysInMotion& counts = this->Implementation->Rays;
   penumbra::DistributeRays(depths, values, view.Width,
     request.Parts ? *request.Parts : WholeImage(view.Width, view.Height), limits, counts);
   viewState.ReconstructPoints(request, scene, depths, &counts.Traced);
-  const int first = counts.IsSparse ? SparseSequenceStart + request.FirstSample / NumberOfPhases
-                                    : request.FirstSample;
+  const int first = counts.IsSparse
+    ? SparseSequenceStart + request.FirstSample / penumbra::MotionPhases
+    : request.FirstSample;
   long long rays = viewState.Trace(request, scene, first, counts.LongHistory, values, 2);
   rays += viewState.Trace(request, scene, ShortHistorySequenceStart + viewState.ShortHistorySample,
     counts.ShortHistory, values, 2);

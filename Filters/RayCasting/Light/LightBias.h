@@ -23,10 +23,10 @@ struct LevelChanges
   float Weights[LightLevels] = {}; ///< in pixels
   Value Sums[LightLevels] = {};
   Value Totals[LightLevels] = {}; ///< of the changes from the first level
-  Value
-    Variances[LightLevels + 1] = {}; ///< of independent rays: of the sites alone, and of each level
-  Value Differences
-    [LightLevels] = {}; ///< of both halves of each level, squared, as variances of their mean
+  /// Of independent rays: of the sites alone, and of each level.
+  Value Variances[LightLevels + 1] = {};
+  /// Of both halves of each level, squared, as variances of their mean.
+  Value Differences[LightLevels] = {};
 
   void Add(const LevelChanges& other, float weight)
   {

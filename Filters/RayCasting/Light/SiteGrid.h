@@ -24,8 +24,8 @@ struct SitePatch
   Values Slopes[LightFeatures::Count] = {};
   float AloneWeight = 0.f;    ///< weight of the rays of the site alone
   Values SquaredError{ 0.f }; ///< of a site
-  float SharedPixels =
-    1.f; ///< number of pixels that have the same error, as their estimates share rays
+  /// Number of pixels that have the same error, as their estimates share rays.
+  float SharedPixels = 1.f;
 };
 
 /// The sites of the pixels [Low, High), which are multiples of LightTileSide; pixels outside of the

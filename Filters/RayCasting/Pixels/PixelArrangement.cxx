@@ -198,8 +198,8 @@ const PixelSegment* PixelArrangement::MakeVertical(const PixelSegment* segments,
       [](double value, const glm::dvec2& width) { return value < width.x; });
     if (next != widths.begin() && x <= next[-1].y + Epsilon)
     {
-      const auto [low, high] = std::minmax(next[-1].x, next[-1].y);
-      x = low < Epsilon ? 0.0 : high > 1.0 - Epsilon ? 1.0 : 0.5 * (low + high);
+      const glm::dvec2 width = next[-1];
+      x = width.x < Epsilon ? 0.0 : width.y > 1.0 - Epsilon ? 1.0 : 0.5 * (width.x + width.y);
     }
   };
   for (PixelSegment& segment : this->Vertical)

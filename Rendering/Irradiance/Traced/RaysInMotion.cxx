@@ -22,8 +22,9 @@ constexpr float AcceptedLack = 0.5f;
 /// Side of the blocks of pixels of which one is traced per frame in a sparse frame. The phases go
 /// around the block diagonally first.
 constexpr int Step = 2;
-constexpr int PhaseColumn[Step * Step] = { 0, 1, 1, 0 };
-constexpr int PhaseRow[Step * Step] = { 0, 1, 0, 1 };
+static_assert(MotionPhases == Step * Step);
+constexpr int PhaseColumn[MotionPhases] = { 0, 1, 1, 0 };
+constexpr int PhaseRow[MotionPhases] = { 0, 1, 0, 1 };
 
 /// Number of rays that complete `samples` samples to `wanted`. Pixels with a history then have more than
 /// `wanted`, so that they differ from those without.
@@ -78,7 +79,7 @@ void DistributeRays(const std::vector<float>& depths, std::vector<float>& histor
     return rays;
   };
   result.PerPixel = result.WithoutHistory = std::clamp(limits.PerPixel, 1, 1 << 15);
-  const double sparse = limits.Sparse ? 1.0 / (Step * Step) : 1.0;
+  const double sparse = limits.Sparse ? 1.0 / MotionPhases : 1.0;
   while (result.WithoutHistory < MaximumRays &&
     countMissing(result.WithoutHistory + 1) + sparse * pixels * result.PerPixel <=
       limits.Affordable)

@@ -13,13 +13,16 @@
 namespace penumbra
 {
 
+/// Number of phases of sparse frames: in each, one of as many pixels has its turn.
+constexpr int MotionPhases = 4;
+
 /// The rays that a frame in motion may have.
 struct MotionRayLimits
 {
   double Affordable = 0.0; ///< number of rays of all pixels; exceeded for the requested ones
   int PerPixel = 1;        ///< requested number at a pixel with a long history
-  bool Sparse = true;      ///< one pixel in four gets them, if more are not affordable
-  int Phase = 0;           ///< of these pixels, in [0, 4)
+  bool Sparse = true;      ///< one of MotionPhases pixels gets them, if more are not affordable
+  int Phase = 0;           ///< of these pixels, in [0, MotionPhases)
 };
 
 struct RaysInMotion

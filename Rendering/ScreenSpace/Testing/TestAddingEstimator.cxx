@@ -51,6 +51,19 @@ void BuildSphereOnFloor(OcclusionScene& scene)
   scene.Pass->GetConstants().FirstSamples = 8;
 }
 
+/// Renders static frames of it with an adding estimator.
+void AddSamples(OcclusionScene& scene, double invalidationWeight)
+{
+  BuildSphereOnFloor(scene);
+  scene.Pass->GetConstants().InvalidationWeight = invalidationWeight;
+  vtkNew<AddingEstimator> estimator;
+  scene.Pass->SetEstimator(estimator);
+  for (int frame = 0; frame < 6; ++frame)
+  {
+    scene.Window->Render();
+  }
+}
+
 /// Returns the number of samples at a point on the floor.
 double CountSamples(OcclusionScene& scene, double x, double y)
 {
@@ -83,14 +96,7 @@ TEST(AddingEstimator, KeepsFewSamplesNextToMovedPropsUnlessTheCallerSetsTheirNum
     { std::pair(30.0, 0.45), std::pair(20.0, 20.0), std::pair(1000.0, 48.0) })
   {
     OcclusionScene scene;
-    BuildSphereOnFloor(scene);
-    scene.Pass->GetConstants().InvalidationWeight = weight;
-    vtkNew<AddingEstimator> estimator;
-    scene.Pass->SetEstimator(estimator);
-    for (int frame = 0; frame < 6; ++frame)
-    {
-      scene.Window->Render();
-    }
+    AddSamples(scene, weight);
     EXPECT_NEAR(CountSamples(scene, 0.0, -0.7), 48.0, 0.1);
     scene.Renderer->GetActors()->GetLastActor()->SetPosition(0.2, 0.0, 0.0);
     scene.Window->Render();
@@ -103,14 +109,7 @@ TEST(AddingEstimator, KeepsTheHistoryOfRemovedPropsIfTheCallerSetsMaximumWeight)
   for (const auto& [weight, kept] : { std::pair(30.0, 0.0), std::pair(1000.0, 48.0) })
   {
     OcclusionScene scene;
-    BuildSphereOnFloor(scene);
-    scene.Pass->GetConstants().InvalidationWeight = weight;
-    vtkNew<AddingEstimator> estimator;
-    scene.Pass->SetEstimator(estimator);
-    for (int frame = 0; frame < 6; ++frame)
-    {
-      scene.Window->Render();
-    }
+    AddSamples(scene, weight);
     scene.Renderer->GetActors()->GetLastActor()->VisibilityOff();
     scene.Window->Render();
     EXPECT_NEAR(CountSamples(scene, 0.0, -0.7), kept, 0.1);
