@@ -9,6 +9,7 @@
 #include "vtkPenumbraApplyOcclusionLib.h"
 #include "vtkPenumbraCompositeFS.h"
 #include "vtkPenumbraCompositeSamplesFS.h"
+#include "vtkPenumbraSampleSurfaceLib.h"
 #include "vtkPenumbraViewLib.h"
 #include "vtkShaderProgram.h"
 
@@ -20,7 +21,8 @@ bool Composite::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   const Darkening& darkening, bool background)
 {
   static const std::string samplesSource = Assemble(vtkPenumbraCompositeSamplesFS,
-    { { "ViewLib", vtkPenumbraViewLib }, { "ApplyOcclusionLib", vtkPenumbraApplyOcclusionLib } });
+    { { "ViewLib", vtkPenumbraViewLib }, { "SampleSurfaceLib", vtkPenumbraSampleSurfaceLib },
+      { "ApplyOcclusionLib", vtkPenumbraApplyOcclusionLib } });
   static const std::string source =
     Assemble(vtkPenumbraCompositeFS, { { "ApplyOcclusionLib", vtkPenumbraApplyOcclusionLib } });
   const bool manySamples = image.GetSamples() > 1;

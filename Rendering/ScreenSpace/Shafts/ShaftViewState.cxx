@@ -10,6 +10,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraPhaseFunctions.h"
+#include "vtkPenumbraSampleSurfaceLib.h"
 #include "vtkPenumbraShaftBlendFS.h"
 #include "vtkPenumbraShaftBoundedLib.h"
 #include "vtkPenumbraShaftCompositeFS.h"
@@ -367,10 +368,13 @@ std::array<float, 2> ShaftViewState::GetOffset() const
 
 bool ShaftViewState::Composite()
 {
-  static const std::string oneSample =
-    Assemble(vtkPenumbraShaftCompositeFS, { { "SceneColor", vtkPenumbraShaftSceneColorLib } });
-  static const std::string manySamples =
-    Assemble(vtkPenumbraShaftCompositeFS, { { "SceneColor", vtkPenumbraShaftSceneColorMSLib } });
+  const auto assemble = [](const char* sceneColor) {
+    return Assemble(vtkPenumbraShaftCompositeFS,
+      { { "ViewLib", vtkPenumbraViewLib }, { "SampleSurfaceLib", vtkPenumbraSampleSurfaceLib },
+        { "SceneColor", sceneColor } });
+  };
+  static const std::string oneSample = assemble(vtkPenumbraShaftSceneColorLib);
+  static const std::string manySamples = assemble(vtkPenumbraShaftSceneColorMSLib);
   const bool many = this->Image.GetSamples() > 1;
   vtkShaderProgram* program = nullptr;
   if (this->FillShafts())
@@ -383,7 +387,7 @@ bool ShaftViewState::Composite()
   }
   const ScopedBlending target(this->Window, this->Image.GetViewport(), true);
   program->SetUniform2f("offset", this->GetOffset().data());
-  SetPixelSize(program, "pixelSize", this->Depth.GetView().Width, this->Depth.GetView().Height);
+  this->Depth.GetView().SetUniforms(program);
   SetNumber(program, "gain", this->GetGain());
   SetNumber(program, "background", this->Settings.DelegateDrawsBackground ? 1.0 : 0.0);
   this->Composition.BindTexture("colors", this->Image.GetColor());
@@ -393,6 +397,7 @@ bool ShaftViewState::Composite()
   {
     program->SetUniformi("sampleCount", this->Image.GetSamples());
     this->Composition.BindTexture("depthSamples", this->Image.GetSampleDepth());
+    this->Composition.BindTexture("eyeDepths", this->Depth.GetCurrent());
   }
   if (!this->Settings.IsColored())
   {

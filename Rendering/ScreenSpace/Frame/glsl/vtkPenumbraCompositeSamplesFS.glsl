@@ -7,49 +7,21 @@
 // its surface, which at an edge is that of a neighboring pixel. Antialiased edges therefore get no
 // halos.
 //VTK::Penumbra::ViewLib
+//VTK::Penumbra::SampleSurfaceLib
 //VTK::Penumbra::ApplyOcclusionLib
 uniform sampler2DMS colors;
 uniform sampler2DMS depthSamples;
-uniform sampler2D eyeDepths;
 uniform sampler2D occlusions;
 uniform int sampleCount;
 uniform vec2 offset;      // from pixels of the target to those of the scene image
 uniform vec2 toTargetDepth; // x * depth + y: from depths of the image to those of the target
 uniform float background; // 1: empty samples are drawn, too; 0: the target keeps them
 
-// Relative rounding error of depths.
-const float depthPrecision = 1e-4;
-
-// Returns the change in depth of the surface of a pixel over the distance of two pixels: the smaller
-// difference to the neighbors on both sides, in x and y.
-float depthSlope(vec2 pixel, float depth)
-{
-  float slope = 0.0;
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    vec2 direction = axis == 0 ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
-    float ahead = abs(texture(eyeDepths, (pixel + direction) * pixelSize).r - depth);
-    float behind = abs(texture(eyeDepths, (pixel - direction) * pixelSize).r - depth);
-    slope += min(ahead, behind);
-  }
-  return slope;
-}
-
-// Occlusion of the pixel or, if the depth of the sample differs by more than `slope` and thus belongs
-// to another surface, of the 3 x 3 pixel closest in depth.
+// Occlusion of the surface of a sample.
 float sampleOcclusion(float sampleDepth, vec2 pixel, float slope)
 {
-  float nearest = abs(texture(eyeDepths, pixel * pixelSize).r - sampleDepth);
-  float occlusion = texture(occlusions, pixel * pixelSize).r;
-  int count = nearest > slope + depthPrecision * sampleDepth ? 9 : 0;
-  for (int i = 0; i < count; ++i)
-  {
-    vec2 position = (pixel + vec2(float(i % 3 - 1), float(i / 3 - 1))) * pixelSize;
-    float difference = abs(texture(eyeDepths, position).r - sampleDepth);
-    occlusion = difference < nearest ? texture(occlusions, position).r : occlusion;
-    nearest = min(difference, nearest);
-  }
-  return nearest < 0.5 * farAway ? occlusion : 0.0;
+  vec3 surface = positionOfSurface(sampleDepth, pixel, slope);
+  return surface.z < 0.5 * farAway ? texture(occlusions, surface.xy).r : 0.0;
 }
 
 void main()
@@ -58,7 +30,7 @@ void main()
   vec4 sum = vec4(0.0);
   float covered = 0.0;
   float frontmost = 1.0;
-  float slope = depthSlope(pixel, texture(eyeDepths, pixel * pixelSize).r);
+  float slope = depthSlope(pixel);
   for (int i = 0; i < sampleCount; ++i)
   {
     float depth = texelFetch(depthSamples, ivec2(pixel), i).r;

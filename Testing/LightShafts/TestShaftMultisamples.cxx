@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The light shaft pass in windows with several samples per pixel.
+#include "ShaftScene.h"
+#include "vtkPenumbraMedium.h"
+
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace
+{
+
+constexpr int Width = 64;
+constexpr int Height = 48;
+
+/// Red and blue of dark solids before bright haze, with the pixels `scale` times as many in x and y.
+std::vector<double> Draw(int scale, int samples, const Vector& extinctions)
+{
+  ShaftScene scene(Width * scale, Height * scale);
+  scene.Window->SetMultiSamples(samples);
+  scene.AddFloor(12.0);
+  scene.AddSolids(8, 3);
+  scene.AddSun({ 0.2, 1.0, 0.32 })->SetIntensity(12.0);
+  scene.Look({ 0.5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
+  scene.SetMedium(0.06, 0.06);
+  scene.Pass->GetMedium()->SetExtinctionColor(extinctions[0], extinctions[1], extinctions[2]);
+  scene.Window->Render();
+  vtkNew<vtkUnsignedCharArray> bytes;
+  scene.Window->GetRGBACharPixelData(0, 0, scene.Width - 1, scene.Height - 1, 0, bytes);
+  std::vector<double> values;
+  for (vtkIdType i = 0; i < bytes->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(bytes->GetTypedComponent(i, 0) / 255.0);
+    values.push_back(bytes->GetTypedComponent(i, 2) / 255.0);
+  }
+  return values;
+}
+
+/// Mean of each block of `factor` x `factor` pixels, and whether the block contains an edge.
+struct Reference
+{
+  std::vector<double> Means;
+  std::vector<bool> Edges;
+};
+
+Reference Reduce(const std::vector<double>& large, int factor)
+{
+  Reference reference;
+  for (int i = 0; i < 2 * Width * Height; ++i)
+  {
+    double sum = 0.0;
+    double least = 1.0;
+    double largest = 0.0;
+    for (int k = 0; k < factor * factor; ++k)
+    {
+      const int x = factor * (i / 2 % Width) + k % factor;
+      const int y = factor * (i / 2 / Width) + k / factor;
+      const double value = large[2 * (static_cast<std::size_t>(y) * Width * factor + x) + i % 2];
+      sum += value;
+      least = std::min(least, value);
+      largest = std::max(largest, value);
+    }
+    reference.Means.push_back(sum / (factor * factor));
+    reference.Edges.push_back(largest - least > 0.1);
+  }
+  return reference;
+}
+
+double ErrorOfEdges(const std::vector<double>& values, const Reference& reference)
+{
+  double squares = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    if (reference.Edges[i])
+    {
+      squares += (values[i] - reference.Means[i]) * (values[i] - reference.Means[i]);
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 100);
+  return std::sqrt(squares / count);
+}
+
+}
+
+TEST(ShaftMultisamples, SmoothEdgesBeforeHaze)
+{
+  for (const Vector& extinctions : { Vector{ 1.0, 1.0, 1.0 }, Vector{ 1.0, 1.5, 2.0 } })
+  {
+    const Reference reference = Reduce(Draw(8, 0, extinctions), 8);
+    const double one = ErrorOfEdges(Draw(1, 0, extinctions), reference);
+    const double four = ErrorOfEdges(Draw(1, 4, extinctions), reference);
+    EXPECT_LT(four, 0.45 * one);
+  }
+}
