@@ -5,6 +5,7 @@
 #include "ShaftScene.h"
 #include "vtkPenumbraMedium.h"
 
+#include "vtkPenumbraTemporalSSAOPass.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace
@@ -20,8 +22,10 @@ namespace
 constexpr int Width = 64;
 constexpr int Height = 48;
 
-/// Red and blue of dark solids before bright haze, with the pixels `scale` times as many in x and y.
-std::vector<double> Draw(int scale, int samples, const Vector& extinctions)
+/// Red and blue of dark solids before bright haze, with `scale` times as many pixels in x and y.
+/// `passes` may add further passes.
+std::vector<double> Draw(int scale, int samples, const Vector& extinctions,
+  const std::function<void(vtkRenderer*)>& passes = nullptr)
 {
   ShaftScene scene(Width * scale, Height * scale);
   scene.Window->SetMultiSamples(samples);
@@ -31,6 +35,10 @@ std::vector<double> Draw(int scale, int samples, const Vector& extinctions)
   scene.Look({ 0.5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
   scene.SetMedium(0.06, 0.06);
   scene.Pass->GetMedium()->SetExtinctionColor(extinctions[0], extinctions[1], extinctions[2]);
+  if (passes)
+  {
+    passes(scene.Renderer);
+  }
   scene.Window->Render();
   vtkNew<vtkUnsignedCharArray> bytes;
   scene.Window->GetRGBACharPixelData(0, 0, scene.Width - 1, scene.Height - 1, 0, bytes);
@@ -100,4 +108,15 @@ TEST(ShaftMultisamples, SmoothEdgesBeforeHaze)
     const double four = ErrorOfEdges(Draw(1, 4, extinctions), reference);
     EXPECT_LT(four, 0.45 * one);
   }
+}
+
+TEST(ShaftMultisamples, SmoothEdgesAfterAmbientOcclusion)
+{
+  const Vector gray{ 1.0, 1.0, 1.0 };
+  const auto occlude = [](vtkRenderer* renderer) {
+    vtkPenumbraTemporalSSAOPass::AddTo(renderer)->SetStrength(0.0);
+  };
+  const Reference reference = Reduce(Draw(8, 0, gray), 8);
+  const double one = ErrorOfEdges(Draw(1, 0, gray), reference);
+  EXPECT_LT(ErrorOfEdges(Draw(1, 4, gray, occlude), reference), 0.45 * one);
 }

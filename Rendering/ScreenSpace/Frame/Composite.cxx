@@ -8,8 +8,8 @@
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraApplyOcclusionLib.h"
 #include "vtkPenumbraCompositeFS.h"
-#include "vtkPenumbraCompositeSamplesFS.h"
-#include "vtkPenumbraSampleSurfaceLib.h"
+#include "vtkPenumbraSceneSampleLib.h"
+#include "vtkPenumbraSceneSamplesLib.h"
 #include "vtkPenumbraViewLib.h"
 #include "vtkShaderProgram.h"
 
@@ -20,13 +20,15 @@ bool Composite::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   const EyeDepth& depth, vtkTextureObject* colors, vtkTextureObject* occlusions,
   const Darkening& darkening, bool background)
 {
-  static const std::string samplesSource = Assemble(vtkPenumbraCompositeSamplesFS,
-    { { "ViewLib", vtkPenumbraViewLib }, { "SampleSurfaceLib", vtkPenumbraSampleSurfaceLib },
-      { "ApplyOcclusionLib", vtkPenumbraApplyOcclusionLib } });
-  static const std::string source =
-    Assemble(vtkPenumbraCompositeFS, { { "ApplyOcclusionLib", vtkPenumbraApplyOcclusionLib } });
-  const bool manySamples = image.GetSamples() > 1;
-  vtkShaderProgram* program = this->DrawStage.Ready(window, manySamples ? samplesSource : source);
+  const auto assemble = [](const char* sample) {
+    return Assemble(vtkPenumbraCompositeFS,
+      { { "ViewLib", vtkPenumbraViewLib }, { "SceneSample", sample },
+        { "ApplyOcclusionLib", vtkPenumbraApplyOcclusionLib } });
+  };
+  static const std::string oneSample = assemble(vtkPenumbraSceneSampleLib);
+  static const std::string manySamples = assemble(vtkPenumbraSceneSamplesLib);
+  const bool many = image.GetSamples() > 1;
+  vtkShaderProgram* program = this->DrawStage.Ready(window, many ? manySamples : oneSample);
   if (!program)
   {
     return false;
@@ -34,10 +36,7 @@ bool Composite::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   const int* viewport = image.GetViewport();
   const int* margin = image.GetMargin();
   const ScopedBlending target(window, viewport, true);
-  if (!manySamples || background)
-  {
-    window->GetState()->vtkglDisable(GL_BLEND);
-  }
+  window->GetState()->vtkglDisable(GL_BLEND);
   const float offset[2] = { static_cast<float>(margin[0] - viewport[0]),
     static_cast<float>(margin[1] - viewport[1]) };
   program->SetUniform2f("offset", offset);
@@ -49,14 +48,13 @@ bool Composite::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   program->SetUniformf("lightAwareness", static_cast<float>(darkening.LightAwareness));
   program->SetUniformf("background", background ? 1.f : 0.f);
   this->DrawStage.BindTexture("colors", colors);
-  this->DrawStage.BindTexture(manySamples ? "depthSamples" : "depthBuffer", image.GetSampleDepth());
-  if (manySamples)
+  this->DrawStage.BindTexture(many ? "depthSamples" : "depthBuffer", image.GetSampleDepth());
+  if (many)
   {
-    program->SetUniformi("sampleCount", image.GetSamples());
     this->DrawStage.BindTexture("eyeDepths", depth.GetCurrent());
   }
   this->DrawStage.BindTexture("occlusions", occlusions ? occlusions : depth.GetCurrent());
-  this->DrawStage.Draw();
+  this->DrawStage.DrawSamples(program, image.GetSamples());
   return true;
 }
 

@@ -240,6 +240,25 @@ void Stage::Draw(const std::vector<Rectangle>& parts)
   this->Unbind();
 }
 
+void Stage::DrawSamples(vtkShaderProgram* program, int count)
+{
+  if (count <= 1)
+  {
+    this->Draw();
+    return;
+  }
+  glEnable(GL_SAMPLE_MASK);
+  for (int i = 0; i < count; ++i)
+  {
+    glSampleMaski(0, 1u << i);
+    program->SetUniformi("sampleIndex", i);
+    this->Quad->Render();
+  }
+  glSampleMaski(0, ~0u);
+  glDisable(GL_SAMPLE_MASK);
+  this->Unbind();
+}
+
 unsigned int Stage::DrawAndCount()
 {
   PendingCount pending;

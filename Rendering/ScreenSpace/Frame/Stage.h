@@ -76,6 +76,10 @@ public:
   void Draw();
   void Draw(const std::vector<Rectangle>& parts);
 
+  /// Draws each of `count` samples of the pixels of the bound framebuffer, whose number is the uniform
+  /// sampleIndex of the program.
+  void DrawSamples(vtkShaderProgram* program, int count);
+
   /// Draws and counts the pixels that were not discarded. Waits for the graphics card.
   unsigned int DrawAndCount();
   /// The same without waiting; the number is taken from `count` some frames later.

@@ -10,7 +10,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraPhaseFunctions.h"
-#include "vtkPenumbraSampleSurfaceLib.h"
+#include "vtkPenumbraSceneSampleLib.h"
+#include "vtkPenumbraSceneSamplesLib.h"
 #include "vtkPenumbraShaftBlendFS.h"
 #include "vtkPenumbraShaftBoundedLib.h"
 #include "vtkPenumbraShaftCompositeFS.h"
@@ -26,8 +27,6 @@
 #include "vtkPenumbraShaftPositionalLib.h"
 #include "vtkPenumbraShaftReuseFS.h"
 #include "vtkPenumbraShaftScatterFS.h"
-#include "vtkPenumbraShaftSceneColorLib.h"
-#include "vtkPenumbraShaftSceneColorMSLib.h"
 #include "vtkPenumbraShaftUnboundedLib.h"
 #include "vtkPenumbraShaftUniformLib.h"
 #include "vtkPenumbraShaftVisibilityFS.h"
@@ -368,13 +367,12 @@ std::array<float, 2> ShaftViewState::GetOffset() const
 
 bool ShaftViewState::Composite()
 {
-  const auto assemble = [](const char* sceneColor) {
+  const auto assemble = [](const char* sample) {
     return Assemble(vtkPenumbraShaftCompositeFS,
-      { { "ViewLib", vtkPenumbraViewLib }, { "SampleSurfaceLib", vtkPenumbraSampleSurfaceLib },
-        { "SceneColor", sceneColor } });
+      { { "ViewLib", vtkPenumbraViewLib }, { "SceneSample", sample } });
   };
-  static const std::string oneSample = assemble(vtkPenumbraShaftSceneColorLib);
-  static const std::string manySamples = assemble(vtkPenumbraShaftSceneColorMSLib);
+  static const std::string oneSample = assemble(vtkPenumbraSceneSampleLib);
+  static const std::string manySamples = assemble(vtkPenumbraSceneSamplesLib);
   const bool many = this->Image.GetSamples() > 1;
   vtkShaderProgram* program = nullptr;
   if (this->FillShafts())
@@ -390,19 +388,21 @@ bool ShaftViewState::Composite()
   this->Depth.GetView().SetUniforms(program);
   SetNumber(program, "gain", this->GetGain());
   SetNumber(program, "background", this->Settings.DelegateDrawsBackground ? 1.0 : 0.0);
-  this->Composition.BindTexture("colors", this->Image.GetColor());
-  this->Composition.BindTexture("depthBuffer", this->Image.GetDepth());
-  this->Composition.BindTexture("shafts", this->Shafts);
-  if (many)
-  {
-    program->SetUniformi("sampleCount", this->Image.GetSamples());
-    this->Composition.BindTexture("depthSamples", this->Image.GetSampleDepth());
-    this->Composition.BindTexture("eyeDepths", this->Depth.GetCurrent());
-  }
+  const auto draw = [&](int part) {
+    program->SetUniformi("part", part);
+    this->Composition.BindTexture("colors", this->Image.GetColor());
+    this->Composition.BindTexture(
+      many ? "depthSamples" : "depthBuffer", this->Image.GetSampleDepth());
+    this->Composition.BindTexture("shafts", this->Shafts);
+    if (many)
+    {
+      this->Composition.BindTexture("eyeDepths", this->Depth.GetCurrent());
+    }
+    this->Composition.DrawSamples(program, this->Image.GetSamples());
+  };
   if (!this->Settings.IsColored())
   {
-    program->SetUniformi("part", 0);
-    this->Composition.Draw();
+    draw(0);
     return true;
   }
   // Each channel of the target has its own transmittance: it is multiplied first.
@@ -417,11 +417,9 @@ bool ShaftViewState::Composite()
   program->SetUniform3f("extinctionRatios", ratios);
   vtkOpenGLState* gl = this->Window->GetState();
   gl->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_SRC_ALPHA);
-  program->SetUniformi("part", 1);
-  this->Composition.Draw();
+  draw(1);
   gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  program->SetUniformi("part", 2);
-  this->Composition.Draw();
+  draw(2);
   return true;
 }
 
