@@ -202,7 +202,7 @@ TEST_F(JoinedIndirectLight, MatchesTheClosedFormTogetherWithAmbientOcclusion)
 TEST_F(JoinedIndirectLight, IsCloseToEstimatesOfSinglePoints)
 {
   this->ShowSphereInSunlight();
-  this->Caster->SetResolution(32, 32);
+  this->Caster->SetResolution(16, 16);
   for (const bool hasOcclusion : { false, true })
   {
     this->Caster->SetAmbientOcclusion(hasOcclusion);
