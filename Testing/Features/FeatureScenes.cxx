@@ -258,6 +258,23 @@ void AddGeometry(SceneList& add)
     r->ResetCamera();
     r->GetActiveCamera()->SetParallelScale(0.1);
   });
+  add(Feature::LinesAsTubes, [](Renderer r, Window) { // with a texture
+    vtkActor* actor = Add(r, MakePolyline());
+    vtkPolyData* line = vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->GetInput();
+    vtkNew<vtkFloatArray> coordinates;
+    coordinates->SetNumberOfComponents(2);
+    for (vtkIdType i = 0; i < line->GetNumberOfPoints(); ++i)
+    {
+      coordinates->InsertNextTuple2(0.1 * static_cast<double>(i), 0.3);
+    }
+    line->GetPointData()->SetTCoords(coordinates);
+    AddTexture(actor, MakeImage(32, 32));
+    actor->GetProperty()->SetLineWidth(31.f);
+    actor->GetProperty()->SetRenderLinesAsTubes(true);
+    r->GetActiveCamera()->SetParallelProjection(true);
+    r->ResetCamera();
+    r->GetActiveCamera()->SetParallelScale(0.1);
+  });
 }
 
 /// Scenes of physically based materials and textures.

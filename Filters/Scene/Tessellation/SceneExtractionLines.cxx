@@ -260,8 +260,6 @@ private:
     LineStyle unlit = style;
     unlit.Lit = false;
     this->AddAttributes(segment, unlit, static_cast<float>(t), glm::dvec3(b) - glm::dvec3(a));
-    this->Result.LitTexture = nullptr;
-    this->Result.TextureCoordinates.clear();
     return index;
   }
 
