@@ -152,6 +152,19 @@ float ExactIntegrator::ComputeRoundVariation(const Hit& hit, float area) const
   return static_cast<float>(area * inverse * inverse / 12.0);
 }
 
+// A sphere whose outline is hidden may emerge from the surface of a face.
+bool ExactIntegrator::ShowsOtherSurface(const PixelArrangement::Face& face, const Hit& expected)
+{
+  if (!this->Edges.HasRoundShapes || face.Area < MinimumTrapezoidArea)
+  {
+    return false;
+  }
+  ++this->Pixel.Rays.Refinement;
+  const Hit hit = this->Pixel.Tracer.TraceFirstHit(this->Pixel.GetOrigin() + face.Point);
+  this->Edges.AddPrimitive(hit);
+  return hit.Surface != expected.Surface;
+}
+
 PixelResult ExactIntegrator::ComputeFaceColor(std::size_t index)
 {
   const PixelArrangement::Face face = this->Arrangement.GetFaces()[index];
@@ -177,7 +190,7 @@ PixelResult ExactIntegrator::ComputeFaceColor(std::size_t index)
       reference = reference ? reference : &corner;
     }
   }
-  if (reference && !agree)
+  if (reference && (!agree || this->ShowsOtherSurface(face, reference->FirstHit)))
   {
     return this->SplitFace(index);
   }
@@ -203,9 +216,9 @@ PixelResult ExactIntegrator::ComputeFaceColor(std::size_t index)
   // variation of the color. A face without corners is assumed to vary by UnknownVariation.
   const bool unknown = !inside || this->Pixel.IsNearShadowBoundary();
   const float area = static_cast<float>(face.Area);
-  const float variation =
-    std::max({ unknown ? UnknownVariation : 0.f, this->Pixel.ComputeVariation(inside, sample),
-      this->ComputeRoundVariation(sample.FirstHit, area) });
+  const float roundVariation = this->ComputeRoundVariation(sample.FirstHit, area);
+  const float variation = std::max({ unknown ? UnknownVariation : 0.f,
+    this->Pixel.ComputeVariation(inside, sample), roundVariation });
   const float limit = static_cast<float>(this->Pixel.Settings.Tolerance + 2.0 * this->Pixel.Noise);
   // Occlusion and light shafts are expensive and rarely discontinuous. With them, a face is not
   // split because of an assumed variation.
@@ -214,9 +227,53 @@ PixelResult ExactIntegrator::ComputeFaceColor(std::size_t index)
   const bool skipSplit = unknown && isExpensive && variation <= UnknownVariation;
   if (variation * area > limit && !skipSplit)
   {
-    return this->SplitFace(index);
+    return roundVariation * area > limit ? this->SampleRoundFace(index) : this->SplitFace(index);
   }
   result.Error = ResidualErrorFraction * variation;
+  return result;
+}
+
+// The trapezoids of a face of a sphere reach from outline to outline, and the color decreases toward it:
+// their centers are all too bright. So samples are spread over the face as a whole.
+PixelResult ExactIntegrator::SampleRoundFace(std::size_t index)
+{
+  std::vector<PixelArrangement::Trapezoid> trapezoids;
+  std::vector<double> sums; // of areas
+  this->Arrangement.VisitTrapezoids(index, [&](const PixelArrangement::Trapezoid& t) {
+    trapezoids.push_back(t);
+    sums.push_back((sums.empty() ? 0.0 : sums.back()) + t.Area());
+  });
+  const double area = sums.back();
+  const auto trace = [&](double u, double v, double part) {
+    const auto at = std::min(std::lower_bound(sums.begin(), sums.end(), u * area), sums.end() - 1);
+    const auto k = static_cast<std::size_t>(at - sums.begin());
+    const double before = k > 0 ? sums[k - 1] : 0.0;
+    const double x = (u * area - before) / (sums[k] - before);
+    return this->Pixel.Trace(trapezoids[k].At(glm::clamp(x, 0.0, 1.0), v), part);
+  };
+  PixelResult result;
+  for (const RoundLattice& lattice : RoundLattices)
+  {
+    const double weight = 1.0 / lattice.Count;
+    glm::vec4 sum(0.f);
+    glm::vec4 squares(0.f);
+    for (int i = 0; i < lattice.Count; ++i)
+    {
+      const Sample sample = trace(
+        (i + 0.5) * weight, glm::fract((i * lattice.Generator + 0.5) * weight), area * weight);
+      this->UpdateMaximumFaceDepth(sample);
+      sum += sample.Color;
+      squares += sample.Color * sample.Color;
+    }
+    const auto part = static_cast<float>(weight);
+    const glm::vec4 variance = glm::max(part * squares - part * sum * part * sum, 0.f);
+    result.Color = part * sum;
+    result.Error = part * ComputeMaximumDifference(glm::sqrt(variance), glm::vec4(0.f));
+    if (static_cast<float>(area) * result.Error <= this->Pixel.Settings.Tolerance)
+    {
+      break;
+    }
+  }
   return result;
 }
 

@@ -53,7 +53,9 @@ private:
   void ProbeTrapezoids();
   /// Returns how much the color of a round surface with little contrast may vary over a face.
   float ComputeRoundVariation(const Hit& hit, float area) const;
+  bool ShowsOtherSurface(const PixelArrangement::Face& face, const Hit& expected);
   PixelResult ComputeFaceColor(std::size_t face);
+  PixelResult SampleRoundFace(std::size_t face);
   PixelResult SplitFace(std::size_t face);
   void SplitTrapezoid(const PixelArrangement::Trapezoid& trapezoid, glm::dvec2 low, double side,
     const Sample& center, glm::vec4& color, float& squaredError);

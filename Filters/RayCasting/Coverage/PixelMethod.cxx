@@ -7,6 +7,7 @@
 #include "Pixels/PixelErrors.h"
 #include "Sampling/SampleLight.h"
 #include "Scene.h"
+#include "Shading/RayTracingConstants.h"
 #include "Surface.h"
 
 #include <algorithm>
@@ -117,6 +118,56 @@ bool IsDiscontinuousInPlane(const PixelContext& pixel)
   return false;
 }
 
+/// Returns the hits of a corner behind its first hit, up to the first opaque surface.
+std::vector<Hit> TraceHitsBehind(const PixelContext& pixel, int corner)
+{
+  std::vector<Hit> hits;
+  const Sample& sample = pixel.Corners[corner];
+  if (!(sample.FirstHit.Distance < sample.OpaqueDepth))
+  {
+    return hits;
+  }
+  Ray ray = pixel.Tracer.MakeRay(pixel.GetOrigin() + GetCornerOffset(corner));
+  Hit hit = pixel.Tracer.GetRays().Intersect(ray);
+  while (hit.IsHit() && hit.Distance < sample.OpaqueDepth && hits.size() < MaximumLayers)
+  {
+    ray = ContinueBehind(ray, hit);
+    hit = pixel.Tracer.GetRays().Intersect(ray);
+    hits.push_back(hit);
+  }
+  return hits;
+}
+
+/// Returns true if a texture behind translucent layers may change abruptly within the pixel.
+bool IsTextureDiscontinuousBehind(const PixelContext& pixel)
+{
+  const std::vector<Surface>& surfaces = pixel.GetScene().Surfaces;
+  std::vector<Hit> hits[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    hits[i] = TraceHitsBehind(pixel, i);
+  }
+  for (int side = 0; side < 4; ++side)
+  {
+    std::size_t next = 0; // layers of the two corners are in the same order
+    for (const Hit& a : hits[side == 3 ? 3 : 0])
+    {
+      const std::vector<Hit>& others = hits[side < 2 ? side + 1 : side == 2 ? 3 : 1];
+      const auto b = std::find_if(others.begin() + static_cast<std::ptrdiff_t>(next), others.end(),
+        [&](const Hit& hit) { return a.IsHit() && hit.Surface == a.Surface; });
+      if (b != others.end())
+      {
+        next = static_cast<std::size_t>(b - others.begin()) + 1;
+        if (IsInDifferentTexels(surfaces[a.Surface], a, *b))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
 /// Returns true if the corners lie in different texels of a texture, so that colors may change within
 /// the pixel without an edge of the mesh. `hasEdges`: edges of the mesh cross the pixel.
 bool IsTextureDiscontinuous(const PixelContext& pixel, bool hasEdges)
@@ -131,7 +182,53 @@ bool IsTextureDiscontinuous(const PixelContext& pixel, bool hasEdges)
       return true;
     }
   }
-  return hasEdges && !pixel.CornersAgree() && IsDiscontinuousInPlane(pixel);
+  return (hasEdges && !pixel.CornersAgree() && IsDiscontinuousInPlane(pixel)) ||
+    (pixel.Tracer.HasTexturesBehind() && IsTextureDiscontinuousBehind(pixel));
+}
+
+/// Returns the distance of the first hit through a corner from the cone of a spotlight, negative inside.
+double ComputeDistanceFromCone(
+  const CameraRayTracer& tracer, glm::ivec2 corner, const Hit& hit, const Light& light)
+{
+  const Ray ray = tracer.MakeRay(glm::dvec2(corner));
+  const glm::dvec3 axis(light.Direction);
+  const glm::dvec3 to = glm::dvec3(ray.Origin) +
+    static_cast<double>(hit.Distance) * glm::dvec3(ray.Direction) - glm::dvec3(light.Position);
+  const double along = glm::dot(to, axis);
+  const double cosine = light.ConeCosine;
+  return glm::length(to - along * axis) * cosine - along * std::sqrt(1.0 - cosine * cosine);
+}
+
+/// Returns true if the cone of a spotlight, at which its light ends abruptly, may cross what the pixel shows: if it
+/// separates corners of the pixel and of its neighbors, or is near one of them.
+bool IsNearLightCone(const PixelContext& pixel)
+{
+  const glm::ivec2 low = glm::max(pixel.Position - 1, pixel.Grid.GetLow());
+  const glm::ivec2 high = glm::min(pixel.Position + 2, pixel.Grid.GetHigh());
+  for (const Light& light : pixel.GetScene().Lights)
+  {
+    bool isInside = false;
+    bool isOutside = false;
+    for (int y = low.y; light.Kind == Light::Kinds::Spot && y <= high.y; ++y)
+    {
+      for (int x = low.x; x <= high.x; ++x)
+      {
+        const Hit hit = pixel.Grid.At(x, y).FirstHit;
+        if (hit.IsHit())
+        {
+          const double distance = ComputeDistanceFromCone(pixel.Tracer, { x, y }, hit, light);
+          const double margin = LightConeMargin * pixel.ComputePixelSize(hit.Distance);
+          isInside = isInside || distance < margin;
+          isOutside = isOutside || distance > -margin;
+        }
+      }
+    }
+    if (isInside && isOutside)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Returns true if the pixel that was selected last can be sampled by layers.
@@ -210,8 +307,9 @@ PixelMethod ChooseMethod(const PixelContext& pixel, PixelEdges& edges, const Til
   {
     return ChooseReplacement(*gaveUp, pixel, edges, tile);
   }
-  // A rasterized triangle has only few colors.
-  if (AnyCorner(pixel, [&](const Hit& hit) { return tile.IsUnsteady(pixel.GetScene(), hit); }))
+  // A rasterized triangle and a face with a corner have only few colors.
+  if (AnyCorner(pixel, [&](const Hit& hit) { return tile.IsUnsteady(pixel.GetScene(), hit); }) ||
+    (edges.GetNumberOfEdges() > 0 && IsNearLightCone(pixel)))
   {
     return PixelMethod::Rays;
   }

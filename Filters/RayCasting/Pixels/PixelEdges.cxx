@@ -41,6 +41,7 @@ void PixelEdges::Begin()
   this->PairsTested = 0;
   this->MayIntersect = false;
   this->IsTubeIntersected = false;
+  this->HasRoundShapes = false;
 }
 
 void PixelEdges::Load(bool cull)
@@ -69,6 +70,7 @@ void PixelEdges::Load(bool cull)
   for (std::size_t i = 0; i < this->List.Count; ++i)
   {
     const ProjectedEdge& edge = this->Tile.Edges[this->List.Edges[i]];
+    this->HasRoundShapes = this->HasRoundShapes || edge.IsRound();
     PixelSegment segment{ edge.A - origin, edge.B - origin };
     const glm::dvec2 a = segment.A;
     const glm::dvec2 d = segment.B - a;

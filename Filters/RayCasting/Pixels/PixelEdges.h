@@ -84,8 +84,9 @@ public:
   void SearchAllPixels() { this->SearchesAllPixels = true; }
 
   std::vector<PixelSegment> Segments;
-  bool MayIntersect = false;         ///< some visible triangles intersect, or may
-  bool IsTubeIntersected = false;    ///< a visible tube may intersect another surface here
+  bool MayIntersect = false;      ///< some visible triangles intersect, or may
+  bool IsTubeIntersected = false; ///< a visible tube may intersect another surface here
+  bool HasRoundShapes = false;    ///< outlines of spheres or tubes, or hidden ones, cross the pixel
   bool HasFoundIntersection = false; ///< intersecting triangles were found in a pixel of the tile
   bool SearchesAllPixels = false;
 

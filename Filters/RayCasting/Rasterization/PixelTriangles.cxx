@@ -100,8 +100,10 @@ bool PixelTriangles::Add(std::uint32_t index, glm::dvec2 corner)
   added.LastColumn = findCell(high.x);
   added.FirstRow = findCell(low.y);
   added.LastRow = findCell(high.y);
-  this->Keys.push_back(
-    isBounded ? Evaluate(triangle.Key, corner + 0.5) : std::numeric_limits<double>::infinity());
+  // At the center of the pixel, the plane of a triangle that is seen edge-on may be far in front of it.
+  this->Keys.push_back(isBounded
+      ? std::min(Evaluate(triangle.Key, corner + 0.5), triangle.LargestKey)
+      : std::numeric_limits<double>::infinity());
   added.KeyError =
     static_cast<float>(triangle.KeyError * (this->IsParallel ? 1.0 : std::abs(this->Keys.back())));
   return true;

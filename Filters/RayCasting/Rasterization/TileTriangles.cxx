@@ -98,6 +98,7 @@ ScreenTriangle TileTriangles::Add(PrimitiveId id)
       triangle.Sides[i] = MakeSide(from, to);
     }
     triangle.Key = projected.MakeKeyPlane();
+    triangle.LargestKey = std::max({ projected.Keys[0], projected.Keys[1], projected.Keys[2] });
     const TriangleBins::Visibility visibility = this->Binned.GetVisibility(id.Surface);
     triangle.IsLayer = visibility == TriangleBins::Visibility::Layers;
     triangle.IsTextured = visibility == TriangleBins::Visibility::Textured;

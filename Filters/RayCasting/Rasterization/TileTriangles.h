@@ -25,6 +25,7 @@ struct TileTriangle
 {
   LinearValue<double> Sides[3]; ///< positive inside
   LinearValue<double> Key;      ///< see ScreenTriangle::Keys
+  double LargestKey;            ///< of its corners
   double KeyError; ///< of a coincident triangle: rounding error of Key, or of Key / Key
   glm::vec2 Low;   ///< bounds, in pixels relative to the tile
   glm::vec2 High;

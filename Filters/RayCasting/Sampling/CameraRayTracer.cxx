@@ -53,6 +53,10 @@ CameraRayTracer::CameraRayTracer(const RayScene& rays, const Shading& shading, c
   const std::vector<Surface>& surfaces = rays.GetScene().Surfaces;
   this->Translucent = std::any_of(surfaces.begin(), surfaces.end(),
     [](const Surface& surface) { return surface.IsTranslucent(); });
+  this->Textured = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& surface) {
+    return surface.ColorTexture || surface.LitTexture || surface.BaseColorTexture ||
+      surface.DetailTextures;
+  });
   this->Kinds = LayerOrder::FindKinds(rays.GetScene());
 }
 

@@ -74,8 +74,8 @@ public:
   Sample ShadeSample(glm::dvec2 p, const PrimitiveId* triangle, RayCounts& counts,
     double toleranceScale = 1.0) const;
 
-  /// Returns the color of a triangle at a point at which it is a layer, without the texture of the
-  /// actor, without what is behind it and without the occlusion and the irradiance of providers.
+  /// Returns the color of a triangle at a point at which it is a layer, without the texture of the actor, without what
+  /// is behind it and without the occlusion and the irradiance of providers.
   LayerColor ShadeLayer(glm::dvec2 p, PrimitiveId triangle, RayCounts& counts) const;
 
   /// TraceSample() for PacketSize points. Points whose bit in `active` is not set are skipped.
@@ -92,9 +92,8 @@ public:
   /// Returns the first hit without shading it.
   Hit TraceFirstHit(glm::dvec2 p) const { return this->Rays.Intersect(this->MakeRay(p)); }
 
-  /// Multiplies colors by 1 - `strength` * occlusion. `provider` computes the occlusion and has
-  /// been prepared by Begin() with the same `tolerance`. A negative strength selects 1, or less on
-  /// surfaces colored by scalars. Null: no occlusion.
+  /// Multiplies colors by 1 - `strength` * occlusion. `provider` computes the occlusion and has been prepared by
+  /// Begin() with the same `tolerance`. A negative strength selects 1, or less on surfaces colored by scalars. Null: none.
   void SetOcclusion(
     const vtkPenumbraIrradianceProvider* provider, double strength, double tolerance);
 
@@ -106,9 +105,8 @@ public:
     this->Lighting.OcclusionStrength = static_cast<float>(strength);
   }
 
-  /// Adds reflected irradiance. `provider` computes the irradiance and has been prepared by
-  /// BeginIrradiance() with the same `tolerance`. Surfaces reflect `albedo` times their color.
-  /// Null: no indirect light.
+  /// Adds reflected irradiance. `provider` computes the irradiance and has been prepared by BeginIrradiance() with the
+  /// same `tolerance`. Surfaces reflect `albedo` times their color. Null: no indirect light.
   void SetIndirectLight(
     const vtkPenumbraIrradianceProvider* provider, float albedo, double tolerance);
 
@@ -121,8 +119,7 @@ public:
   /// Sets the accepted standard error of a color in the penumbra of a light with a size.
   void SetPenumbraTolerance(double tolerance) { this->PenumbraTolerance = tolerance; }
 
-  /// Sets the light shafts of a participating medium; `shafts` must outlive this object. Null: no
-  /// medium.
+  /// Sets the light shafts of a participating medium; `shafts` must outlive this object. Null: no medium.
   void SetShafts(const LightShafts* shafts) { this->Shafts = shafts; }
   bool HasShafts() const { return this->Shafts != nullptr; }
 
@@ -159,6 +156,8 @@ public:
   const Camera& GetCamera() const { return this->ViewCamera; }
   const RayScene& GetRays() const { return this->Rays; }
   bool HasTranslucentSurfaces() const { return this->Translucent; }
+  /// Returns true if surfaces behind translucent ones may have textures.
+  bool HasTexturesBehind() const { return this->Translucent && this->Textured; }
 
 private:
   /// Adds a segment of the medium, with the light that it scatters if `scatters`.
@@ -178,6 +177,7 @@ private:
   const Shading& SurfaceShading;
   const Camera& ViewCamera;
   bool Translucent = false; ///< at least one surface is translucent
+  bool Textured = false;    ///< at least one surface has a texture
   /// Order in which VTK draws each surface; empty if the distance alone decides.
   std::vector<LayerOrder::Kinds> Kinds;
   LayerLightingSettings Lighting;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Surfaces whose triangles are smaller than pixels: exact outlines, and tiles within the tolerance.
-// References are closed forms of coverage, and jittered samples.
+// Surfaces whose triangles are smaller than pixels, and changes of color inside pixels without edges: exact outlines, and
+// tiles within the tolerance. References are closed forms of coverage, and jittered samples.
 #include "vtkPenumbraRayCaster.h"
 #include "vtkPenumbraRayCasterConstants.h"
 
@@ -10,15 +10,24 @@
 #include "Scenes/AccuracyScenes.h"
 #include "Scenes/TestScene.h"
 
+#include "vtkActor.h"
 #include "vtkCellArray.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
 #include "vtkNew.h"
+#include "vtkPlaneSource.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkTexture.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace penumbra;
 
@@ -73,6 +82,27 @@ vtkSmartPointer<vtkRenderer> MakeScene(const Shape& disc, int rings)
   return renderer;
 }
 
+vtkSmartPointer<vtkPolyData> MakePlane(int resolution, double z)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(0.0, 0.0, z);
+  plane->SetPoint1(Size, 0.0, z);
+  plane->SetPoint2(0.0, Size, z);
+  plane->SetResolution(resolution, resolution);
+  plane->Update();
+  return plane->GetOutput();
+}
+
+/// Expects that no tile has an error above the tolerance and a smaller estimate.
+void ExpectAccurateTiles(vtkRenderer* renderer, int side)
+{
+  const StratifiedReference reference = DrawStratified(renderer, Size, Size, side, false);
+  for (const TileAccuracy& tile : CompareTiles(Cast(renderer, Size, Size), reference, Size))
+  {
+    EXPECT_LE(tile.Error, std::max(1.0 / 256.0, tile.Estimate));
+  }
+}
+
 }
 
 TEST(DenseSurfaces, HaveExactOutlines)
@@ -124,4 +154,82 @@ TEST(DenseSurfaces, AreWithinTheToleranceAtACostThatFollowsIt)
     EXPECT_LE(3.0 * rays[0], rays[1]) << smooth;
     EXPECT_LE(rays[1], 30.0) << smooth;
   }
+}
+
+TEST(ColorsInsidePixels, AreFoundInTexturesBehindTranslucentSurfaces)
+{
+  std::mt19937 random(1);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(80, 80, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  for (int i = 0; i < 6400; ++i)
+  {
+    image->SetScalarComponentFromDouble(i % 80, i / 80, 0, 0, random() % 8 == 0 ? 255.0 : 0.0);
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+  AddMesh(renderer, MakePlane(1, 0.0), false)->SetTexture(texture);
+  AddMesh(renderer, MakePlane(1, 1.0), false)->GetProperty()->SetOpacity(0.3);
+  LookAtImage(renderer, Size, Size);
+  ExpectAccurateTiles(renderer, 16);
+}
+
+TEST(ColorsInsidePixels, AreFoundAtTheConesOfSpotlights)
+{
+  for (const double trianglesPerPixel : { 0.05, 3.0 }) // exact areas of faces, rasterized samples
+  {
+    vtkNew<vtkRenderer> renderer;
+    BuildGyroid(renderer, trianglesPerPixel, false, Size);
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->PositionalOn();
+    light->SetPosition(0.0, 0.0, 1.0);
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+    light->SetConeAngle(8.0);
+    light->SetIntensity(3.0);
+    renderer->AddLight(light);
+    ExpectAccurateTiles(renderer, 16);
+  }
+}
+
+TEST(DenseSurfaces, AreInFrontOfWhatTheyHideNextToTrianglesSeenEdgeOn)
+{
+  vtkNew<vtkRenderer> renderer;
+  BuildGyroid(renderer, 0.3, false, Size);
+  ExpectAccurateTiles(renderer, 16);
+}
+
+TEST(ColorsInsidePixels, AreAveragedOnSpheresOfAPixel)
+{
+  std::mt19937 random(1);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType i = 0; i < 500; ++i)
+  {
+    const double x = 0.01 * (random() % 6400);
+    points->InsertNextPoint(x, 0.01 * (random() % 6400), 0.01 * (random() % 1000));
+    cells->InsertNextCell(1, &i);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetVerts(cells);
+  vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+  vtkProperty* property = AddMesh(renderer, data, true)->GetProperty();
+  property->RenderPointsAsSpheresOn();
+  property->SetPointSize(1.02f);
+  LookAtImage(renderer, Size, Size);
+  ExpectAccurateTiles(renderer, 24);
+}
+
+TEST(ColorsInsidePixels, AreFoundWhereSpheresEmergeFromFacets)
+{
+  vtkNew<vtkRenderer> renderer;
+  BuildGyroid(renderer, 0.3, false, Size);
+  vtkActor* actor = vtkActor::SafeDownCast(renderer->GetViewProps()->GetItemAsObject(0));
+  actor->GetProperty()->VertexVisibilityOn();
+  actor->GetProperty()->SetVertexColor(1.0, 0.0, 0.0);
+  actor->GetProperty()->RenderPointsAsSpheresOn();
+  actor->GetProperty()->SetPointSize(5.f);
+  ExpectAccurateTiles(renderer, 16);
 }
