@@ -152,10 +152,11 @@ float ExactIntegrator::ComputeRoundVariation(const Hit& hit, float area) const
   return static_cast<float>(area * inverse * inverse / 12.0);
 }
 
-// A sphere whose outline is hidden may emerge from the surface of a face.
+// A sphere whose outline is hidden may emerge from the triangles of a face.
 bool ExactIntegrator::ShowsOtherSurface(const PixelArrangement::Face& face, const Hit& expected)
 {
-  if (!this->Edges.HasRoundShapes || face.Area < MinimumTrapezoidArea)
+  if (!this->Edges.HasRoundShapes || face.Area < MinimumTrapezoidArea || !expected.IsHit() ||
+    this->Pixel.GetScene().Surfaces[expected.Surface].IsRound())
   {
     return false;
   }
