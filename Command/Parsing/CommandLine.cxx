@@ -91,8 +91,25 @@ std::string FindSimilarSubcommand(const CLI::App& program, const std::string& wo
   return FindSimilar(names, word);
 }
 
+/// Returns the hidden option without its value, whose name is missing in the error of CLI11, or "".
+std::string FindHiddenOption(const CLI::App& command, const std::vector<std::string>& arguments)
+{
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+  {
+    const CLI::Option* option =
+      arguments[i].rfind("--", 0) == 0 ? command.get_option_no_throw(arguments[i]) : nullptr;
+    const bool isLast = i + 1 == arguments.size() || arguments[i + 1].rfind('-', 0) == 0;
+    if (option && isLast && option->get_group().empty() && option->get_items_expected_min() > 0)
+    {
+      return arguments[i];
+    }
+  }
+  return "";
+}
+
 // Converts an error of CLI11 to one line; unknown options and subcommands are named.
-std::string DescribeError(const CLI::App& program, const std::exception& error)
+std::string DescribeError(
+  const CLI::App& program, const std::vector<std::string>& arguments, const std::exception& error)
 {
   const std::vector<CLI::App*> chosen = program.get_subcommands();
   const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
@@ -130,7 +147,9 @@ std::string DescribeError(const CLI::App& program, const std::exception& error)
     return option + ": unknown option" +
       suggest(FindSimilarOption(chosen.empty() ? program : *chosen.front(), option));
   }
-  return error.what() + hint;
+  const bool isUnnamed =
+    !chosen.empty() && dynamic_cast<const CLI::ArgumentMismatch*>(&error) && error.what()[0] == ':';
+  return (isUnnamed ? FindHiddenOption(*chosen.front(), arguments) : "") + error.what() + hint;
 }
 
 }
@@ -277,12 +296,12 @@ CommandLine Parser::GetProgram() const
 
 std::string Parser::Parse(int argc, char** argv) const
 {
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
   try
   {
-    std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
     InsertConfiguration(*this->Implementation, arguments);
-    std::reverse(arguments.begin(), arguments.end()); // the order that CLI11 expects
-    this->Implementation->parse(std::move(arguments));
+    // The order that CLI11 expects.
+    this->Implementation->parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   }
   catch (const CLI::Success& help)
   {
@@ -291,11 +310,11 @@ std::string Parser::Parse(int argc, char** argv) const
   }
   catch (const CLI::ParseError& error)
   {
-    throw CommandError(BadInput, DescribeError(*this->Implementation, error));
+    throw CommandError(BadInput, DescribeError(*this->Implementation, arguments, error));
   }
   catch (const InvalidValue& error)
   {
-    throw CommandError(BadInput, DescribeError(*this->Implementation, error));
+    throw CommandError(BadInput, DescribeError(*this->Implementation, arguments, error));
   }
   return this->Implementation->get_subcommands().front()->get_name();
 }

@@ -505,6 +505,7 @@ TEST(InvalidUsage, NamesWhatUnknownWordsResemble)
     { { "render", "mesh.stl", "-w", "9" }, "-w: unknown option; see" },
     { { "info", "mesh.stl" }, "mesh.stl: unexpected argument; see" },
     { { "bake", "mesh.stl", "mesh.ply" }, "--output is required; see" },
+    { { "render", "mesh.stl", "--samples" }, "penumbra: --samples: 1 required" }, // hidden
   };
   for (const auto& [arguments, expected] : rows)
   {
