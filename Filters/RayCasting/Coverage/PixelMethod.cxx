@@ -7,7 +7,6 @@
 #include "Pixels/PixelErrors.h"
 #include "Sampling/SampleLight.h"
 #include "Scene.h"
-#include "Shading/RayTracingConstants.h"
 #include "Surface.h"
 
 #include <algorithm>
@@ -129,7 +128,7 @@ std::vector<Hit> TraceHitsBehind(const PixelContext& pixel, int corner)
   }
   Ray ray = pixel.Tracer.MakeRay(pixel.GetOrigin() + GetCornerOffset(corner));
   Hit hit = pixel.Tracer.GetRays().Intersect(ray);
-  while (hit.IsHit() && hit.Distance < sample.OpaqueDepth && hits.size() < MaximumLayers)
+  while (hit.IsHit() && hit.Distance < sample.OpaqueDepth && hits.size() < MaximumTexturedLayers)
   {
     ray = ContinueBehind(ray, hit);
     hit = pixel.Tracer.GetRays().Intersect(ray);

@@ -60,6 +60,8 @@ constexpr double TouchingDepth = 16.0;
 constexpr std::size_t MaximumTriangles = 48;
 /// Maximum number of layers behind a translucent surface, at each corner, that may intersect.
 constexpr int MaximumIntersectedLayers = 4;
+/// Maximum number of layers behind a translucent surface, at each corner, whose textures are compared.
+constexpr std::size_t MaximumTexturedLayers = 256;
 /// Minimum area of a trapezoid that is probed when surfaces may intersect.
 constexpr double MinimumTrapezoidArea = 0.02;
 /// Minimum area of a face that is probed when triangles are known to intersect.
@@ -89,7 +91,7 @@ constexpr float CurvatureSafetyFactor = 3.f;
 constexpr float ShadowContrast = 0.05f;
 /// Distance in pixels of a corner up to which the cone of a spotlight may cross the pixels around it.
 constexpr double LightConeMargin = 2.0;
-/// Rank-1 lattices of samples on a face of a small sphere or tube. Measured on random parts of lit spheres: the RMS error
+/// Rank-1 lattices of samples on a face of a small sphere or tube. Measured on parts of lit spheres: the RMS error
 /// of the mean of n samples is 0.6 to 1 of their standard deviation, divided by n.
 struct RoundLattice
 {

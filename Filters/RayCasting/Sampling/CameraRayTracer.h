@@ -93,7 +93,7 @@ public:
   Hit TraceFirstHit(glm::dvec2 p) const { return this->Rays.Intersect(this->MakeRay(p)); }
 
   /// Multiplies colors by 1 - `strength` * occlusion. `provider` computes the occlusion and has been prepared by
-  /// Begin() with the same `tolerance`. A negative strength selects 1, or less on surfaces colored by scalars. Null: none.
+  /// Begin() with the same `tolerance`. A negative strength selects 1, or less on surfaces with scalars. Null: none.
   void SetOcclusion(
     const vtkPenumbraIrradianceProvider* provider, double strength, double tolerance);
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Surfaces whose triangles are smaller than pixels, and changes of color inside pixels without edges: exact outlines, and
-// tiles within the tolerance. References are closed forms of coverage, and jittered samples.
+// Surfaces whose triangles are smaller than pixels, and changes of color inside pixels without edges: exact outlines,
+// and tiles within the tolerance. References are closed forms of coverage, and jittered samples.
 #include "vtkPenumbraRayCaster.h"
 #include "vtkPenumbraRayCasterConstants.h"
 
