@@ -114,7 +114,7 @@ private:
   {
     const glm::vec3 geometric(this->Rays.GetNormal(ray, hit));
     const float side = glm::dot(geometric, ray.Direction) > 0.f ? -1.f : 1.f;
-    const Surface& surface = this->Rays.GetScene().Surfaces[hit.Surface];
+    const Surface& surface = this->Rays.GetSurfaces()[hit.Surface];
     if (surface.Normals.empty())
     {
       return side * glm::normalize(geometric);
@@ -128,7 +128,7 @@ private:
   /// moved to the tangent planes of the corners that it is below, blended.
   float FindCurvedHeight(const Hit& hit, glm::vec3 point, const SurfaceNormals& atPoint) const
   {
-    const Surface& surface = this->Rays.GetScene().Surfaces[hit.Surface];
+    const Surface& surface = this->Rays.GetSurfaces()[hit.Surface];
     const std::array<glm::vec3, 3> corners = surface.GetPoints(hit.Primitive);
     const std::array<glm::vec3, 3> normals = surface.GetNormals(hit.Primitive, surface.Normals);
     const float weights[] = { 1.f - hit.U - hit.V, hit.U, hit.V };
@@ -156,7 +156,7 @@ private:
     glm::vec3 up = normals.Geometric;
     // Light that is nearly along the triangle, or behind it, starts at the curved surface; from .2 to .1 partly.
     const float part = std::min(std::max(2.f - slope / 0.1f, 0.f), 1.f);
-    if (part > 0.f && !this->Rays.GetScene().Surfaces[hit.Surface].Normals.empty() &&
+    if (part > 0.f && !this->Rays.GetSurfaces()[hit.Surface].Normals.empty() &&
       glm::dot(normals.Shading, normals.Geometric) > 0.f)
     {
       Ray lift;

@@ -151,7 +151,7 @@ void MeasureImage(ResultTable& table, const std::string& provider, const std::st
       found.emplace_back(colors->GetComponent(pixel, 0), colors->GetComponent(pixel, 1),
         colors->GetComponent(pixel, 2));
       truth.push_back(double(settings.Albedo) / sky.MeanRadiance *
-        glm::dvec3(rays.GetScene().Surfaces[point.Surface].Front.DiffuseColor) * exact[i]);
+        glm::dvec3(rays.GetSurfaces()[point.Surface].Front.DiffuseColor) * exact[i]);
     }
   }
   const SkyErrors errors = FindErrors(points, found, truth, ImageTolerance);

@@ -10,10 +10,9 @@
 #include "Records/RecordDensity.h"
 #include "Records/RecordPolyData.h"
 #include "Records/ViewRecords.h"
-#include "Scene.h"
+#include "SceneCoordinates.h"
 #include "Shading/TranslucentOcclusion.h"
 #include "Statistics/Statistics.h"
-#include "Surface.h"
 
 #include "vtkFieldData.h"
 #include "vtkMath.h"
@@ -30,10 +29,10 @@ namespace
 using namespace penumbra;
 
 /// Converts the records of a view and adds the angle that their weights depend on.
-void Copy(
-  const ViewRecords& from, penumbra::Quantities quantity, const Scene& scene, vtkPolyData* records)
+void Copy(const ViewRecords& from, penumbra::Quantities quantity,
+  const SceneCoordinates& coordinates, vtkPolyData* records)
 {
-  ToPolyData(from.GetRecords(), quantity, scene, records);
+  ToPolyData(from.GetRecords(), quantity, coordinates, records);
   AddStatistic(
     records->GetFieldData(), "NormalAngle", vtkMath::DegreesFromRadians(from.GetNormalAngle()));
 }
@@ -75,9 +74,9 @@ struct vtkPenumbraIrradianceCache::Internals
   {
     BuildKey Key;
     std::unique_ptr<Gatherer> CustomGatherer; ///< null for rays
-    Scene Units; ///< only origin and scale, because records may outlive their scene
-    std::unique_ptr<ViewRecords> Records; ///< null if too many are needed
-    long long DensityRays = 0;            ///< that decided whether records are made
+    SceneCoordinates Units;                   ///< a copy, because records may outlive their scene
+    std::unique_ptr<ViewRecords> Records;     ///< null if too many are needed
+    long long DensityRays = 0;                ///< that decided whether records are made
 
     /// Converts a point in world coordinates.
     ShadingPoint ToShadingPoint(
@@ -232,7 +231,7 @@ bool vtkPenumbraIrradianceCache::Internals::UsesRecords(vtkPenumbraIrradianceCac
   cache.DensityRays = 0;
   const RayScene& rays = gatherer.GetRays();
   return !self->JoinPixels ||
-    (reflections >= MinimumRecordReflections && !HasTranslucentOccluders(rays.GetScene()) &&
+    (reflections >= MinimumRecordReflections && !HasTranslucentOccluders(rays.GetSurfaces()) &&
       NeedsFewRecords(
         rays, gatherer, settings, NormalAngle(self, settings),
         [&](double) { return progress && progress(0.0); }, cache.DensityRays));
@@ -251,7 +250,7 @@ bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCac
   if (this->InitialRecords && !HasRecords(this->InitialRecords, other))
   {
     std::string problem;
-    initial = FromPolyData(this->InitialRecords, quantity, rays.GetScene(), problem);
+    initial = FromPolyData(this->InitialRecords, quantity, rays.GetCoordinates(), problem);
     if (!problem.empty())
     {
       vtkWarningWithObjectMacro(self,
@@ -260,8 +259,7 @@ bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCac
                                           "GetIrradianceRecords().");
     }
   }
-  cache.Units.Origin = rays.GetScene().Origin;
-  cache.Units.Scale = rays.GetScene().Scale;
+  cache.Units = rays.GetCoordinates();
   const Gatherer& gatherer =
     cache.CustomGatherer ? *cache.CustomGatherer : static_cast<const Gatherer&>(rayGatherer);
   cache.Records = std::make_unique<ViewRecords>(
@@ -289,8 +287,8 @@ bool vtkPenumbraIrradianceCache::Begin(const penumbra::RayScene& rays, const Occ
   self.Occlusion.Key = Internals::BuildKey();
   self.QueryTolerance = tolerance;
   self.BruteForce->Begin(rays, occluders, tolerance);
-  self.Occluders = std::make_unique<OcclusionGatherer>(
-    rays, DistanceFalloff::InScene(occluders.Radius, occluders.Falloff, rays.GetScene().Scale));
+  self.Occluders = std::make_unique<OcclusionGatherer>(rays,
+    DistanceFalloff::InScene(occluders.Radius, occluders.Falloff, rays.GetCoordinates().Scale));
   try
   {
     const RecordPlacementSettings settings = Internals::MakeSettings(this, tolerance, 1.0);

@@ -5,6 +5,7 @@
 #ifndef penumbra_DistributedOccluders_h
 #define penumbra_DistributedOccluders_h
 
+#include "AxisAlignedBox.h"
 #include "Distribution/OccluderDistribution.h"
 #include "Messages/RankGroup.h"
 #include "SurfaceExchange.h"

@@ -11,6 +11,7 @@
 #include "Scene.h"
 #include "Shadows/CellMarks.h"
 #include "Shadows/RankCells.h"
+#include "Surface.h"
 #include "UnitSelection.h"
 
 #include "vtkImageData.h"

@@ -11,6 +11,7 @@
 #include "Messages/SurfaceAppearance.h"
 #include "Scene.h"
 #include "SceneBounds.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <array>

@@ -5,8 +5,6 @@
 #ifndef penumbra_SceneUnion_h
 #define penumbra_SceneUnion_h
 
-#include "Surface.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -18,6 +16,7 @@ namespace penumbra
 
 class RankGroup;
 struct Scene;
+struct WholeSurface;
 
 /// A surface of which ranks have parts: those of one object with the same appearance. They follow
 /// each other in the order of the ranks. Surfaces with Instances are not joined.

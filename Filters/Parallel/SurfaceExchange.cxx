@@ -6,6 +6,7 @@
 #include "Messages/SurfacePart.h"
 #include "Scene.h"
 #include "Statistics/Statistics.h"
+#include "Surface.h"
 
 namespace penumbra
 {

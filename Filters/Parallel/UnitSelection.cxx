@@ -7,6 +7,7 @@
 #include "Messages/SurfacePart.h"
 #include "Scene.h"
 #include "Shadows/RankCells.h"
+#include "Surface.h"
 #include "Tiles/ScreenTriangle.h"
 
 #include <algorithm>

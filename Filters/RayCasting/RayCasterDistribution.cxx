@@ -101,7 +101,6 @@ void vtkPenumbraRayCaster::Internals::ExchangeScene(
   AddLights(scene.Lights, view);
   this->Distribution->GetRanks().Compare(view);
   this->DistributedOverlay = std::move(scene.OverlayImage);
-  scene.OverlayImage = penumbra::Overlay();
   const bool hasPenumbrae = self->GetShadows() &&
     std::any_of(scene.Lights.begin(), scene.Lights.end(),
       [](const penumbra::Light& light) { return light.CastsPenumbra(); });
@@ -158,7 +157,10 @@ bool vtkPenumbraRayCaster::Internals::ExecuteDistributed(
   this->Distribution->Compose(parts, image, totals);
   if (this->Distribution->GetRanks().IsFirst())
   {
-    penumbra::CompositeOverlay(this->DistributedOverlay, image);
+    if (this->DistributedOverlay)
+    {
+      penumbra::CompositeOverlay(*this->DistributedOverlay, image);
+    }
     penumbra::SumErrors(image, totals);
     this->FinishImage(self, *job, totals, image);
   }

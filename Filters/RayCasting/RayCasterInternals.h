@@ -104,7 +104,7 @@ struct vtkPenumbraRayCaster::Internals
 
   /// The other ranks, while an image is rendered together with them; null: there are none.
   penumbra::SceneDistribution* Distribution = nullptr;
-  penumbra::Overlay DistributedOverlay; ///< of this rank
+  std::shared_ptr<penumbra::Overlay> DistributedOverlay; ///< of this rank; or null
 
   std::chrono::steady_clock::time_point Start; ///< of the last execution
   double CallSeconds = 0.0;                    ///< time that RenderFor() may take

@@ -3,7 +3,6 @@
 #include "vtkPenumbraRayCaster.h"
 
 #include "RayCasterInternals.h"
-#include "Scene.h"
 
 #include "Execution/NaNCheck.h"
 #include "Image/LayerCompositing.h"

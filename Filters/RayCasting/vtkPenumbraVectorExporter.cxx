@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraVectorExporter.h"
 
+#include "Overlay.h"
 #include "RayCasterInternals.h"
 #include "Scene.h"
 #include "Surface.h"
 
 #include "Image/LayerCompositing.h"
 #include "Import/SceneExtraction.h"
-#include "InstanceCopies.h"
 #include "Shading/Shading.h"
 #include "Statistics/Statistics.h"
 #include "Vector/EdgeVisibility.h"
+#include "Vector/InstanceCopies.h"
 #include "Vector/PdfEncoder.h"
 #include "Vector/PolygonRows.h"
 #include "Vector/SvgEncoder.h"
@@ -55,9 +56,12 @@ namespace
 /// a copy of the scene. `all` stays empty if there are none.
 void TakeAnnotations(penumbra::Scene& scene, penumbra::Scene& all, penumbra::VectorFigure& figure)
 {
-  figure.Shapes = scene.OverlayImage.TakeShapes();
+  if (scene.OverlayImage)
+  {
+    figure.Shapes = scene.OverlayImage->TakeShapes();
+  }
   penumbra::ExtendRows(figure.Shapes);
-  penumbra::CopyInstances(scene); // each visible triangle becomes a polygon of its own
+  penumbra::CopyInstances(scene.Surfaces); // each visible triangle becomes a polygon of its own
   const auto first = std::stable_partition(scene.Surfaces.begin(), scene.Surfaces.end(),
     [](const penumbra::Surface& surface) { return !penumbra::HasStrokes(surface); });
   if (first != scene.Surfaces.end())
@@ -84,7 +88,7 @@ void AddTextOfLayers(vtkPenumbraRayCaster* caster, penumbra::VectorFigure& figur
       std::copy_n(part.Size, 2, options.Resolution);
       options.DPI = caster->GetDPI();
       for (penumbra::OverlayShape& shape :
-        penumbra::ExtractScene(layer, options).OverlayImage.TakeShapes())
+        penumbra::ExtractScene(layer, options).OverlayImage->TakeShapes())
       {
         if (!shape.Text.empty())
         {

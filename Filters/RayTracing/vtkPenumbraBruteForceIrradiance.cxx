@@ -3,7 +3,7 @@
 #include "vtkPenumbraBruteForceIrradiance.h"
 
 #include "Embree/RayScene.h"
-#include "Scene.h"
+#include "SceneCoordinates.h"
 #include "Shading/DistanceFalloff.h"
 #include "Shading/HemisphereSampling.h"
 #include "Shading/Illumination.h"
@@ -197,10 +197,9 @@ Hemisphere MakeHemisphere(const RayScene& rays,
   const vtkPenumbraIrradianceProvider::Occluders& occluders, const double point[3],
   const double normal[3], const double geometricNormal[3], bool translucent, double tolerance)
 {
-  const penumbra::Scene& scene = rays.GetScene();
-  const glm::vec3 position((glm::dvec3(point[0], point[1], point[2]) - scene.Origin) * scene.Scale);
-  return Hemisphere(rays, position, ToSurfaceNormals(normal, geometricNormal),
-    DistanceFalloff::InScene(occluders.Radius, occluders.Falloff, scene.Scale), translucent,
+  const penumbra::SceneCoordinates& coordinates = rays.GetCoordinates();
+  return Hemisphere(rays, coordinates.FromWorld(point), ToSurfaceNormals(normal, geometricNormal),
+    DistanceFalloff::InScene(occluders.Radius, occluders.Falloff, coordinates.Scale), translucent,
     tolerance);
 }
 
@@ -228,7 +227,7 @@ bool vtkPenumbraBruteForceIrradiance::Begin(
   const penumbra::RayScene& scene, const Occluders& occluders, double tolerance, const Progress&)
 {
   this->Rays = &scene;
-  this->Translucent = penumbra::HasTranslucentOccluders(scene.GetScene());
+  this->Translucent = penumbra::HasTranslucentOccluders(scene.GetSurfaces());
   this->OccluderSettings = occluders;
   this->Tolerance = tolerance;
   return true;
@@ -275,7 +274,7 @@ bool vtkPenumbraBruteForceIrradiance::BeginIrradiance(
   const penumbra::Illumination& light, double tolerance, const Progress&)
 {
   this->IrradianceTolerance = tolerance;
-  this->Translucent = penumbra::HasTranslucentOccluders(light.GetRays().GetScene());
+  this->Translucent = penumbra::HasTranslucentOccluders(light.GetRays().GetSurfaces());
   this->Lighting = std::make_unique<penumbra::Illumination>(light);
   this->Lighting->AcceptNoise(tolerance / Pi, penumbra::PathsPerRay * this->MinimumRays);
   return true;
@@ -286,7 +285,7 @@ vtkPenumbraIrradianceProvider::Light vtkPenumbraBruteForceIrradiance::Irradiance
   const double geometricNormal[3]) const
 {
   const penumbra::Illumination& lighting = *this->Lighting;
-  const glm::vec3 position(lighting.GetRays().GetScene().FromWorld(point));
+  const glm::vec3 position(lighting.GetRays().GetCoordinates().FromWorld(point));
   const SurfaceNormals normals = ToSurfaceNormals(normal, geometricNormal);
   const glm::vec3 up = normals.Shading;
   const glm::mat3 frame = penumbra::FrameFromNormal(up);

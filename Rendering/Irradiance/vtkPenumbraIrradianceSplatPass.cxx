@@ -8,10 +8,9 @@
 #include "Frame/EyeDepth.h"
 #include "Frame/Uniforms.h"
 #include "Records/RecordPolyData.h"
-#include "Scene.h"
+#include "SceneCoordinates.h"
 #include "Splats/RecordSplatter.h"
 #include "Statistics/Statistics.h"
-#include "Surface.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -113,14 +112,13 @@ bool vtkPenumbraIrradianceSplatPass::ReadRecords()
   {
     internals.ReadTime = internals.Records->GetMTime();
     internals.HasIrradiance = HasRecords(internals.Records, Quantities::Irradiance);
-    Scene frame; // coordinate system of the records: world units, origin at their center
+    SceneCoordinates frame; // world units, with the origin at the center of the records
     double center[3] = { 0.0, 0.0, 0.0 };
     if (internals.Records->GetNumberOfPoints() > 0)
     {
       internals.Records->GetCenter(center);
     }
     frame.Origin = { center[0], center[1], center[2] };
-    frame.Scale = 1.0;
     std::string problem;
     internals.Splats.SetRecords(
       FromPolyData(internals.Records,

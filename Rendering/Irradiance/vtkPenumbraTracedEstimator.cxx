@@ -7,7 +7,7 @@
 #include "Frame/RendererMap.h"
 #include "Frame/Textures.h"
 #include "Import/SceneModificationTime.h"
-#include "Scene.h"
+#include "SceneCoordinates.h"
 #include "Traced/JoinedOcclusion.h"
 #include "Traced/OccluderGeometry.h"
 #include "Traced/RaysInMotion.h"
@@ -107,9 +107,9 @@ struct ViewState
     {
       this->Radius = request.Radius;
       this->Tolerance = request.Tolerance;
-      this->Joined =
-        std::make_unique<penumbra::JoinedOcclusion>(this->Points, request.Depth->GetView().Width,
-          rays, static_cast<float>(request.Radius * rays.GetScene().Scale), request.Tolerance);
+      this->Joined = std::make_unique<penumbra::JoinedOcclusion>(this->Points,
+        request.Depth->GetView().Width, rays,
+        static_cast<float>(request.Radius * rays.GetCoordinates().Scale), request.Tolerance);
       this->HasNewImage = this->Joined->IsComplete();
     }
   }
@@ -121,7 +121,7 @@ struct ViewState
   {
     penumbra::TracedSamples samples;
     samples.First = first;
-    samples.Radius = static_cast<float>(request.Radius * rays.GetScene().Scale);
+    samples.Radius = static_cast<float>(request.Radius * rays.GetCoordinates().Scale);
     return penumbra::TraceOcclusion(
       this->Points, request.Depth->GetView().Width, rays, samples, counts, sums, stride);
   }

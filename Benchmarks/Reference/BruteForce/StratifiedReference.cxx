@@ -36,7 +36,7 @@ glm::dvec4 ComputeColor(const RayScene& rays, const Shading& shading,
   {
     if (kinds.empty() || order.IsDrawn(kinds[hit.Surface], { hit.Surface, hit.Primitive }))
     {
-      const Surface& surface = rays.GetScene().Surfaces[hit.Surface];
+      const Surface& surface = rays.GetSurfaces()[hit.Surface];
       const ShadedHit shaded = shading.Shade(ray, hit, shadowRays);
       const double opacity = edges.FindOpacity(surface, ray, hit, shaded);
       const double weight = (1.0 - color.a) * opacity;
@@ -65,7 +65,7 @@ StratifiedReference DrawStratified(
   const Scene scene = ExtractScene(renderer, options);
   const RayScene rays(scene, 0);
   const Shading shading(rays, shadows);
-  const std::vector<LayerOrder::Kinds> kinds = LayerOrder::FindKinds(scene);
+  const std::vector<LayerOrder::Kinds> kinds = LayerOrder::FindKinds(scene.Surfaces);
   const Camera& camera = scene.ViewCamera;
   const auto near = static_cast<float>(std::max(camera.Near - camera.DepthOfRayOrigins(), 0.0));
   StratifiedReference reference;

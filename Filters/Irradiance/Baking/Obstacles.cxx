@@ -145,7 +145,7 @@ bool Obstacles::IsObstacle(
       }
     }
   }
-  const Surface& other = this->Rays.GetScene().Surfaces[surface];
+  const Surface& other = this->Rays.GetSurfaces()[surface];
   return ComputeHeight(other, primitive, site) > height ||
     FacesContact(other, primitive, site, height);
 }

@@ -3,6 +3,8 @@
 #include "OccluderGeometry.h"
 
 #include "Geometry/SurfaceGeometry.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"

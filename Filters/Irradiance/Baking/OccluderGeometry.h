@@ -6,8 +6,6 @@
 #define penumbra_OccluderGeometry_h
 
 #include "Execution/ParallelFor.h"
-#include "Scene.h"
-#include "Surface.h"
 
 #include <glm/glm.hpp>
 
@@ -18,6 +16,9 @@ class vtkPolyData;
 
 namespace penumbra
 {
+
+struct Scene;
+struct Surface;
 
 bool IsFinite(const double x[3]);
 

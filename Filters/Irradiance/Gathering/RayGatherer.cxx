@@ -4,7 +4,6 @@
 
 #include "Embree/RayScene.h"
 #include "IrradianceConstants.h"
-#include "Scene.h"
 #include "Shading/HemisphereSampling.h"
 #include "Shading/RayTracingConstants.h"
 #include "Shading/TranslucentOcclusion.h"
@@ -63,7 +62,7 @@ long long RayGatherer::Gather(glm::vec3 point, const SurfaceNormals& normals,
 OcclusionGatherer::OcclusionGatherer(const RayScene& scene, const DistanceFalloff& falloff)
   : RayGatherer(scene),
     Falloff(falloff),
-    Translucent(HasTranslucentOccluders(scene.GetScene()))
+    Translucent(HasTranslucentOccluders(scene.GetSurfaces()))
 {
 }
 

@@ -4,7 +4,6 @@
 
 #include "Embree/RayScene.h"
 #include "Gathering/IrradianceConstants.h"
-#include "Scene.h"
 #include "Shading/HemisphereSampling.h"
 #include "Surface.h"
 
@@ -61,7 +60,7 @@ std::vector<RecordCandidate> Interreflection::FindSites(
         Illumination::SpawnRay(from.Position, from.GetNormals(), frame * directions[k]);
       const Hit hit = rays.Intersect(ray);
       ++this->Rays;
-      if (!hit.IsHit() || rays.GetScene().Surfaces[hit.Surface].IsLineOrPoint)
+      if (!hit.IsHit() || rays.GetSurfaces()[hit.Surface].IsLineOrPoint)
       {
         continue;
       }
@@ -109,7 +108,7 @@ bool Interreflection::Build(
   for (int reflection = 1; reflection <= reflections; ++reflection)
   {
     auto tree = std::make_unique<RecordOctree>();
-    tree->InitializeFromScene(this->Light.GetRays().GetScene());
+    tree->InitializeFromSurfaces(this->Light.GetRays().GetSurfaces());
     tree->SetNormalAngle(this->NormalAngle);
     RecordPlacement placement(this->GetGatherer(), this->Settings, *tree);
     const auto step = [&](double fraction) {

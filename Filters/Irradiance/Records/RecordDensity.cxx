@@ -4,7 +4,6 @@
 
 #include "Embree/RayScene.h"
 #include "PixelCandidates.h"
-#include "Scene.h"
 
 namespace penumbra
 {
@@ -26,7 +25,7 @@ bool NeedsFewRecords(const RayScene& rays, const Gatherer& gatherer,
   long long& traced)
 {
   RecordOctree tree;
-  tree.InitializeFromScene(rays.GetScene());
+  tree.InitializeFromSurfaces(rays.GetSurfaces());
   tree.SetNormalAngle(normalAngle);
   RecordPlacement placement(gatherer, settings, tree);
   std::size_t points = 0;

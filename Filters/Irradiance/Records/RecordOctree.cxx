@@ -4,7 +4,6 @@
 
 #include "AxisAlignedBox.h"
 #include "Gathering/IrradianceConstants.h"
-#include "Scene.h"
 #include "SceneBounds.h"
 #include "Surface.h"
 
@@ -67,10 +66,10 @@ void RecordOctree::Initialize(glm::vec3 center, float halfSide)
   this->Center = center + RootShift * this->Half;
 }
 
-void RecordOctree::InitializeFromScene(const Scene& scene)
+void RecordOctree::InitializeFromSurfaces(const std::vector<Surface>& surfaces)
 {
   AxisAlignedBox box;
-  for (const Surface& surface : scene.Surfaces)
+  for (const Surface& surface : surfaces)
   {
     if (surface.Instances)
     {

@@ -14,7 +14,7 @@
 namespace penumbra
 {
 
-struct Scene;
+struct Surface;
 
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT RecordOctree
 {
@@ -24,7 +24,7 @@ public:
   void Initialize(glm::vec3 center, float halfSide);
 
   /// Clears the octree and sets its root cube to the bounds of the scene.
-  void InitializeFromScene(const Scene& scene);
+  void InitializeFromSurfaces(const std::vector<Surface>& surfaces);
 
   /// Sets the maximum angle between two normals in radians, in (0, pi).
   void SetNormalAngle(float angle);

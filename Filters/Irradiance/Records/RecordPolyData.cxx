@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RecordPolyData.h"
 
-#include "Scene.h"
+#include "SceneCoordinates.h"
 
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
@@ -113,8 +113,8 @@ bool HasRecords(vtkPolyData* data, Quantities quantity)
   return data->GetPointData()->HasArray(ValueName(quantity)) != 0;
 }
 
-void ToPolyData(
-  const std::vector<Record>& records, Quantities quantity, const Scene& scene, vtkPolyData* data)
+void ToPolyData(const std::vector<Record>& records, Quantities quantity,
+  const SceneCoordinates& coordinates, vtkPolyData* data)
 {
   data->Initialize();
   vtkNew<vtkPoints> points;
@@ -122,7 +122,7 @@ void ToPolyData(
   vtkNew<vtkCellArray> vertices;
   for (const Record& record : records)
   {
-    const glm::dvec3 world = scene.ToWorld(record.Position);
+    const glm::dvec3 world = coordinates.ToWorld(record.Position);
     const vtkIdType id = points->InsertNextPoint(world.x, world.y, world.z);
     vertices->InsertNextCell(1, &id);
   }
@@ -143,7 +143,7 @@ void ToPolyData(
   {
     const Column& column = Columns[k];
     const int repeats = column.PerChannel ? channels : 1;
-    const float factor = FactorOf(column, quantity, scene.Scale);
+    const float factor = FactorOf(column, quantity, coordinates.Scale);
     vtkFloatArray* array = AddArray(data, column.Name, column.Components * repeats, records.size());
     for (std::size_t i = 0; i < records.size(); ++i)
     {
@@ -167,7 +167,7 @@ void ToPolyData(
 }
 
 std::vector<Record> FromPolyData(
-  vtkPolyData* data, Quantities quantity, const Scene& scene, std::string& problem)
+  vtkPolyData* data, Quantities quantity, const SceneCoordinates& coordinates, std::string& problem)
 {
   const int channels = Channels(quantity);
   vtkDataArray* values = data->GetPointData()->GetArray(ValueName(quantity));
@@ -184,7 +184,7 @@ std::vector<Record> FromPolyData(
     double x[3];
     data->GetPoint(i, x);
     records[i].IsValid = !valid || valid->GetComponent(i, 0) != 0.0;
-    records[i].Position = scene.FromWorld(x);
+    records[i].Position = coordinates.FromWorld(x);
     for (int c = 0; c < 3; ++c)
     {
       const double value = values->GetComponent(i, std::min(c, channels - 1));
@@ -202,7 +202,7 @@ std::vector<Record> FromPolyData(
         " is missing or has the wrong number of components";
       return {};
     }
-    const float factor = 1.f / FactorOf(column, quantity, scene.Scale);
+    const float factor = 1.f / FactorOf(column, quantity, coordinates.Scale);
     for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
     {
       for (int n = 0; n < column.Components * (column.PerChannel ? 3 : 1); ++n)

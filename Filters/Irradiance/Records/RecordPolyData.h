@@ -19,7 +19,7 @@ class vtkPolyData;
 namespace penumbra
 {
 
-struct Scene;
+struct SceneCoordinates;
 
 /// Quantity that records store.
 enum class Quantities
@@ -32,13 +32,13 @@ enum class Quantities
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT bool HasRecords(vtkPolyData* data, Quantities quantity);
 
 /// Converts `records` and replaces the contents of `data`.
-void ToPolyData(
-  const std::vector<Record>& records, Quantities quantity, const Scene& scene, vtkPolyData* data);
+void ToPolyData(const std::vector<Record>& records, Quantities quantity,
+  const SceneCoordinates& coordinates, vtkPolyData* data);
 
 /// Converts `data` to records. If arrays are missing or contain invalid values, returns no records
 /// and describes the problem in `problem`.
-VTKPENUMBRAFILTERSIRRADIANCE_EXPORT std::vector<Record> FromPolyData(
-  vtkPolyData* data, Quantities quantity, const Scene& scene, std::string& problem);
+VTKPENUMBRAFILTERSIRRADIANCE_EXPORT std::vector<Record> FromPolyData(vtkPolyData* data,
+  Quantities quantity, const SceneCoordinates& coordinates, std::string& problem);
 
 }
 #endif

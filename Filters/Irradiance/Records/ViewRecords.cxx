@@ -22,7 +22,7 @@ ViewRecords::ViewRecords(const RayScene& rays, const Gatherer& gatherer,
     Radiance(settings.Radiance),
     Placement(gatherer, settings, this->Tree)
 {
-  this->Tree.InitializeFromScene(rays.GetScene());
+  this->Tree.InitializeFromSurfaces(rays.GetSurfaces());
   this->Tree.SetNormalAngle(normalAngle);
   if (onScreen)
   {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceAppearance.h"
 
+#include "Surface.h"
+
 namespace penumbra
 {
 namespace

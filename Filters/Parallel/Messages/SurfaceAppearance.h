@@ -7,7 +7,6 @@
 #define penumbra_SurfaceAppearance_h
 
 #include "ByteStream.h"
-#include "Surface.h"
 
 #include <cstdint>
 #include <map>
@@ -16,6 +15,9 @@
 
 namespace penumbra
 {
+
+struct Surface;
+struct Texture;
 
 /// Textures of a surface by the hash of their contents.
 using TextureMap = std::map<std::uint64_t, std::shared_ptr<const Texture>>;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceMessages.h"
 
+#include "Surface.h"
 #include "SurfacePart.h"
 
 #include <utility>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfacePart.h"
 
+#include "Surface.h"
+
 #include <algorithm>
 #include <cstring>
 #include <limits>

@@ -5,14 +5,16 @@
 #ifndef penumbra_SurfacePart_h
 #define penumbra_SurfacePart_h
 
+#include "AxisAlignedBox.h"
 #include "ByteStream.h"
-#include "Surface.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace penumbra
 {
+
+struct Surface;
 
 /// Returns the units of which a surface can be divided: instances, or else primitives.
 std::size_t CountUnits(const Surface& surface);

@@ -37,7 +37,8 @@ bool ExactIntegrator::AreDisconnected(const Hit& a, const Hit& b) const
     return a.Surface != b.Surface;
   }
   return this->Pixel.Tracer.GetShading().IsConstantPerTriangle(a.Surface) &&
-    !HaveCommonEdge(this->Pixel.GetScene(), { a.Surface, a.Primitive }, { b.Surface, b.Primitive });
+    !HaveCommonEdge(
+      this->Pixel.GetSurfaces(), { a.Surface, a.Primitive }, { b.Surface, b.Primitive });
 }
 
 bool ExactIntegrator::AreDisconnected(const VisibleHits& a, const VisibleHits& b) const
@@ -78,7 +79,7 @@ ExactIntegrator::VisibleHits ExactIntegrator::ProbeAt(glm::dvec2 local)
     ++found.Count;
     ++this->Pixel.Rays.Refinement;
     this->Edges.AddPrimitive(hit);
-    if (!hit.IsHit() || !this->Pixel.GetScene().Surfaces[hit.Surface].IsTranslucent())
+    if (!hit.IsHit() || !this->Pixel.GetSurfaces()[hit.Surface].IsTranslucent())
     {
       break;
     }
@@ -141,12 +142,11 @@ void ExactIntegrator::FaceProbe::Add(glm::dvec2 point)
 // second derivatives. At the middle of a lit sphere, these are 1 over the squared radius.
 float ExactIntegrator::ComputeRoundVariation(const Hit& hit, float area) const
 {
-  if (!hit.IsHit() || !this->Pixel.GetScene().Surfaces[hit.Surface].IsRound())
+  if (!hit.IsHit() || !this->Pixel.GetSurfaces()[hit.Surface].IsRound())
   {
     return 0.f;
   }
-  const RoundShape shape =
-    this->Pixel.GetScene().Surfaces[hit.Surface].GetRoundShape(hit.Primitive);
+  const RoundShape shape = this->Pixel.GetSurfaces()[hit.Surface].GetRoundShape(hit.Primitive);
   const double inverse =
     this->Pixel.ComputePixelSize(hit.Distance) / std::max(shape.RadiusA, shape.RadiusB);
   return static_cast<float>(area * inverse * inverse / 12.0);
@@ -156,7 +156,7 @@ float ExactIntegrator::ComputeRoundVariation(const Hit& hit, float area) const
 bool ExactIntegrator::ShowsOtherSurface(const PixelArrangement::Face& face, const Hit& expected)
 {
   if (!this->Edges.HasRoundShapes || face.Area < MinimumTrapezoidArea || !expected.IsHit() ||
-    this->Pixel.GetScene().Surfaces[expected.Surface].IsRound())
+    this->Pixel.Tracer.GetScene().Surfaces[expected.Surface].IsRound())
   {
     return false;
   }
@@ -206,8 +206,8 @@ PixelResult ExactIntegrator::ComputeFaceColor(std::size_t index)
   const Sample sample = this->Pixel.Trace(face.Point, face.Area);
   this->UpdateMaximumFaceDepth(sample);
   this->Edges.AddPrimitive(sample.FirstHit);
-  this->Pixel.ShowsUnsteadyTriangle = this->Pixel.ShowsUnsteadyTriangle ||
-    this->Tile.IsUnsteady(this->Pixel.GetScene(), sample.FirstHit);
+  this->Pixel.ShowsUnsteadyTriangle =
+    this->Pixel.ShowsUnsteadyTriangle || this->Tile.IsUnsteady(this->Pixel.Tracer, sample.FirstHit);
   result.Color = sample.Color;
   if (inside == 0u && this->Pixel.IsConstantBehindMedium(sample.FirstHit))
   {

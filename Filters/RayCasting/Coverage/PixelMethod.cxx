@@ -95,7 +95,7 @@ bool IsInDifferentTexels(const Surface& surface, const Hit& a, const Hit& b)
 /// surface: compares it with the points at which the other corners see the plane of its triangle.
 bool IsDiscontinuousInPlane(const PixelContext& pixel)
 {
-  const std::vector<Surface>& surfaces = pixel.GetScene().Surfaces;
+  const std::vector<Surface>& surfaces = pixel.GetSurfaces();
   for (int i = 0; i < 4; ++i)
   {
     const Hit& hit = pixel.Corners[i].FirstHit;
@@ -140,7 +140,7 @@ std::vector<Hit> TraceHitsBehind(const PixelContext& pixel, int corner)
 /// Returns true if a texture behind translucent layers may change abruptly within the pixel.
 bool IsTextureDiscontinuousBehind(const PixelContext& pixel)
 {
-  const std::vector<Surface>& surfaces = pixel.GetScene().Surfaces;
+  const std::vector<Surface>& surfaces = pixel.Tracer.GetScene().Surfaces;
   std::vector<Hit> hits[4];
   for (int i = 0; i < 4; ++i)
   {
@@ -171,7 +171,7 @@ bool IsTextureDiscontinuousBehind(const PixelContext& pixel)
 /// the pixel without an edge of the mesh. `hasEdges`: edges of the mesh cross the pixel.
 bool IsTextureDiscontinuous(const PixelContext& pixel, bool hasEdges)
 {
-  const std::vector<Surface>& surfaces = pixel.GetScene().Surfaces;
+  const std::vector<Surface>& surfaces = pixel.GetSurfaces();
   for (int side = 0; side < 4; ++side)
   {
     const Hit& a = pixel.Corners[side == 3 ? 3 : 0].FirstHit;
@@ -204,7 +204,7 @@ bool IsNearLightCone(const PixelContext& pixel)
 {
   const glm::ivec2 low = glm::max(pixel.Position - 1, pixel.Grid.GetLow());
   const glm::ivec2 high = glm::min(pixel.Position + 2, pixel.Grid.GetHigh());
-  for (const Light& light : pixel.GetScene().Lights)
+  for (const Light& light : pixel.Tracer.GetScene().Lights)
   {
     bool isInside = false;
     bool isOutside = false;
@@ -307,7 +307,7 @@ PixelMethod ChooseMethod(const PixelContext& pixel, PixelEdges& edges, const Til
     return ChooseReplacement(*gaveUp, pixel, edges, tile);
   }
   // A rasterized triangle and a face with a corner have only few colors.
-  if (AnyCorner(pixel, [&](const Hit& hit) { return tile.IsUnsteady(pixel.GetScene(), hit); }) ||
+  if (AnyCorner(pixel, [&](const Hit& hit) { return tile.IsUnsteady(pixel.Tracer, hit); }) ||
     (edges.GetNumberOfEdges() > 0 && IsNearLightCone(pixel)))
   {
     return PixelMethod::Rays;

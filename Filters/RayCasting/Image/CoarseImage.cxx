@@ -3,7 +3,6 @@
 #include "CoarseImage.h"
 
 #include "Pixels/CoverageConstants.h"
-#include "Scene.h"
 #include "Shading/HemisphereSampling.h"
 #include "Shading/OwenSobolSequence.h"
 #include "Vectors.h"
@@ -95,7 +94,7 @@ LayerLight EstimateLight(
 CoarseImage::CoarseImage(const CameraRayTracer& tracer, const LightEffects* light, glm::ivec2 low,
   glm::ivec2 high, const ProgressCallback& progress, RayCounts& counts)
   : Low(low / Spacing),
-    Last(tracer.GetScene().ViewCamera.Width, tracer.GetScene().ViewCamera.Height),
+    Last(tracer.GetCamera().Width, tracer.GetCamera().Height),
     Count((high + Spacing - 1) / Spacing - this->Low + 1),
     Nodes(static_cast<std::size_t>(this->Count.x) * this->Count.y)
 {

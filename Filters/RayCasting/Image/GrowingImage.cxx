@@ -41,7 +41,7 @@ void GrowingImage::Store(vtkImageData* image, ImageTotals& totals) const
   for (const std::unique_ptr<RegionRenderer>& renderer : this->Regions)
   {
     ImageRegion region = renderer->CopyResult();
-    StoreRegion(region, this->RenderedScene.OverlayImage, image, totals);
+    StoreRegion(region, this->RenderedScene.OverlayImage.get(), image, totals);
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageRenderer.h"
 
+#include "Overlay.h"
 #include "Scene.h"
 
 #include "vtkFloatArray.h"
@@ -46,7 +47,7 @@ double CopyRow(const float* from, int width, vtkFloatArray* array, vtkIdType to)
 
 /// Copies the rows of `region` that lie in `image`, with `overlay` composited over them. Adds their
 /// squared errors to `totals`.
-void CopyRows(ImageRegion& region, const Overlay& overlay, vtkImageData* image, ImageTotals& totals)
+void CopyRows(ImageRegion& region, const Overlay* overlay, vtkImageData* image, ImageTotals& totals)
 {
   const auto find = [image](const char* name) {
     return vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(name));
@@ -63,7 +64,10 @@ void CopyRows(ImageRegion& region, const Overlay& overlay, vtkImageData* image, 
   {
     const std::size_t from = region.Index(extent[0], y);
     const vtkIdType to = static_cast<vtkIdType>(y - extent[2]) * width;
-    overlay.CompositeOver(extent[0], y, width, &region.Colors[from]);
+    if (overlay)
+    {
+      overlay->CompositeOver(extent[0], y, width, &region.Colors[from]);
+    }
     std::copy_n(&region.Colors[from].x, 4 * width, color->GetPointer(4 * to));
     std::copy_n(&region.RaysPerPixel[from], width, rays->GetPointer(to));
     totals.SquaredError += CopyRow(&region.Errors[from], width, errors, to);
@@ -146,7 +150,7 @@ void CompositeOverlay(const Overlay& overlay, vtkImageData* image)
 }
 
 void StoreRegion(
-  ImageRegion& region, const Overlay& overlay, vtkImageData* image, ImageTotals& totals)
+  ImageRegion& region, const Overlay* overlay, vtkImageData* image, ImageTotals& totals)
 {
   CopyRows(region, overlay, image, totals);
   totals.Rays += region.Rays;
@@ -182,7 +186,7 @@ bool RenderImage(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
     {
       return false;
     }
-    StoreRegion(region, scene.OverlayImage, image, totals);
+    StoreRegion(region, scene.OverlayImage.get(), image, totals);
   }
   return true;
 }

@@ -17,6 +17,8 @@ class vtkImageData;
 namespace penumbra
 {
 
+class Overlay;
+
 /// Counts and errors of a whole image.
 struct ImageTotals
 {
@@ -46,10 +48,10 @@ std::vector<RegionBounds> SplitIntoRegions(const int* extent, const Camera& came
 /// Adds the arrays of RenderImage() to `image`, with undefined values.
 void AddImageArrays(const RenderSettings& settings, vtkImageData* image);
 
-/// Stores the pixels of `region` that lie in `image`, with `overlay` composited over them, and adds
+/// Stores the pixels of `region` that lie in `image`, with `overlay`, which may be null, composited over them, and adds
 /// their errors and the counts of the region to `totals`.
 void StoreRegion(
-  ImageRegion& region, const Overlay& overlay, vtkImageData* image, ImageTotals& totals);
+  ImageRegion& region, const Overlay* overlay, vtkImageData* image, ImageTotals& totals);
 
 /// Sets the squared errors of `totals` to those of the pixels of an image with these arrays.
 void SumErrors(vtkImageData* image, ImageTotals& totals);

@@ -4,7 +4,6 @@
 
 #include "Pixels/CoverageConstants.h"
 #include "Pixels/PixelErrors.h"
-#include "Scene.h"
 
 #include <algorithm>
 #include <atomic>

@@ -91,7 +91,8 @@ std::vector<char> SelectRasterizedTiles(
 {
   std::vector<char> selected(tileEdges.GetNumberOfBins(), 0);
   if (integration.Rasterize && !integration.Shadows &&
-    integration.Method == CoverageMethods::Silhouettes && !TileRasterizer::RequiresRays(scene))
+    integration.Method == CoverageMethods::Silhouettes &&
+    !TileRasterizer::RequiresRays(scene.Surfaces))
   {
     const auto any = [&](const auto& test) {
       return std::any_of(scene.Surfaces.begin(), scene.Surfaces.end(), test);

@@ -6,7 +6,6 @@
 #include "RayGrowth.h"
 #include "Sampling/CameraRayTracer.h"
 #include "ScatteredTiles.h"
-#include "Scene.h"
 #include "SiteJoining.h"
 #include "SiteSampler.h"
 #include "Vectors.h"
@@ -199,7 +198,7 @@ private:
 
   bool IncreaseTile(glm::ivec2 first, float limit)
   {
-    const Camera& camera = this->Tracer.GetScene().ViewCamera;
+    const Camera& camera = this->Tracer.GetCamera();
     const glm::ivec2 end = glm::min(first + LightTileSide, glm::ivec2(camera.Width, camera.Height));
     return penumbra::IncreaseTile(this->Grid, first, end, limit, [&](int x, int y) {
       const LightField::Change change = this->Field.At(x, y);
@@ -318,7 +317,7 @@ template <int N>
 JoinedLight<N>::JoinedLight(
   const CameraRayTracer& tracer, const LightEffects& effects, glm::ivec2 low, glm::ivec2 high)
   : Rays(effects),
-    Grid(MakeGrid<N>(tracer.GetScene().ViewCamera, low, high)),
+    Grid(MakeGrid<N>(tracer.GetCamera(), low, high)),
     Tiles(*this, this->Grid, tracer, this->Rays),
     Tolerance(effects.Tolerance),
     UniformLight(effects.GetUniformLight()),

@@ -13,7 +13,7 @@ namespace penumbra
 OcclusionRays::OcclusionRays(const RayScene& rays, const DistanceFalloff& falloff, double tolerance)
   : Rays(rays),
     Falloff(falloff),
-    Translucent(HasTranslucentOccluders(rays.GetScene())),
+    Translucent(HasTranslucentOccluders(rays.GetSurfaces())),
     Cut(ComputeOcclusionCut(tolerance))
 {
 }

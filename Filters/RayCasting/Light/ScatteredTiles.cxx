@@ -3,7 +3,6 @@
 #include "ScatteredTiles.h"
 
 #include "LightConstants.h"
-#include "Scene.h"
 #include "Shading/OwenSobolSequence.h"
 #include "Surface.h"
 
@@ -22,15 +21,15 @@ constexpr std::uint32_t DirectionSeed = 0x68bc21ebu;
 constexpr std::uint32_t LightSeed = 0x02e5be93u;
 
 /// Returns true if the hits of two camera rays belong to one site.
-bool IsSameSite(const LitLayer& a, const LitLayer& b, const Scene& scene)
+bool IsSameSite(const LitLayer& a, const LitLayer& b, const CameraRayTracer& tracer)
 {
-  const Surface& surface = scene.Surfaces[a.Where.Surface];
+  const Surface& surface = tracer.GetRays().GetSurfaces()[a.Where.Surface];
   if (surface.IsRound() && surface.Segments.empty() && a.Where.Surface == b.Where.Surface &&
     a.Where.Primitive != b.Where.Primitive)
   {
     return false; // two spheres
   }
-  const Camera& camera = scene.ViewCamera;
+  const Camera& camera = tracer.GetCamera();
   const double depth = a.Where.Distance + camera.DepthOfRayOrigins();
   const auto footprint = static_cast<float>(camera.PixelSize * (camera.Parallel ? 1.0 : depth));
   return glm::dot(a.Normal, b.Normal) >= SameSiteCosine &&
@@ -39,9 +38,10 @@ bool IsSameSite(const LitLayer& a, const LitLayer& b, const Scene& scene)
 }
 
 /// Returns true if two camera rays show one site, or the background.
-bool ShowOneSite(const std::vector<LitLayer>& a, const std::vector<LitLayer>& b, const Scene& scene)
+bool ShowOneSite(
+  const std::vector<LitLayer>& a, const std::vector<LitLayer>& b, const CameraRayTracer& tracer)
 {
-  return a.empty() || b.empty() ? a.empty() && b.empty() : IsSameSite(a[0], b[0], scene);
+  return a.empty() || b.empty() ? a.empty() && b.empty() : IsSameSite(a[0], b[0], tracer);
 }
 
 /// Pairs of camera rays, and the numbers of those that hit a surface and that hit different sites.
@@ -87,7 +87,7 @@ public:
     for (const LitLayer& hit : this->Hits)
     {
       if (std::none_of(sites.begin(), sites.end(),
-            [&](const LitLayer* site) { return IsSameSite(*site, hit, this->Tracer.GetScene()); }))
+            [&](const LitLayer* site) { return IsSameSite(*site, hit, this->Tracer); }))
       {
         sites.push_back(&hit);
       }
@@ -127,7 +127,7 @@ private:
       const std::vector<LitLayer>& a = this->Layers[i];
       const std::vector<LitLayer>& b = this->Layers[i + 1];
       this->Surfaces += a.empty() && b.empty() ? 0 : 1;
-      this->Different += ShowOneSite(a, b, this->Tracer.GetScene()) ? 0 : 1;
+      this->Different += ShowOneSite(a, b, this->Tracer) ? 0 : 1;
       for (const std::vector<LitLayer>* layers : { &a, &b })
       {
         if (!layers->empty())

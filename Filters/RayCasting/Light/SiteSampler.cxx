@@ -3,7 +3,6 @@
 #include "SiteSampler.h"
 
 #include "Execution/Vectorized.h"
-#include "Scene.h"
 #include "Shading/HemisphereSampling.h"
 
 #include <algorithm>
@@ -163,7 +162,7 @@ template <int N>
 void SiteSampler<N>::AddRequests(
   int cell, std::uint32_t before, std::uint32_t from, std::uint32_t to, std::uint32_t added)
 {
-  const Camera& camera = this->Tracer.GetScene().ViewCamera;
+  const Camera& camera = this->Tracer.GetCamera();
   const glm::ivec2 p = this->First + GetOffset(cell);
   if (p.x >= camera.Width || p.y >= camera.Height)
   {
@@ -336,7 +335,7 @@ template <int N>
 void SiteSampler<N>::AddLayer(const Request& request, const LitLayer& layer, std::uint16_t number,
   glm::vec3 color, bool createsSites)
 {
-  const Camera& camera = this->Tracer.GetScene().ViewCamera;
+  const Camera& camera = this->Tracer.GetCamera();
   const double depth = layer.Where.Distance + camera.DepthOfRayOrigins();
   const auto footprint = static_cast<float>(camera.PixelSize * (camera.Parallel ? 1.0 : depth));
   std::vector<LightSite<N>>& sites = this->Sites[request.Cell];

@@ -35,7 +35,7 @@ std::vector<PenumbraNeighbors>* PixelContext::GetNeighbors(std::uint32_t penumbr
   {
     return nullptr;
   }
-  this->Neighbors.resize(this->GetScene().Lights.size());
+  this->Neighbors.resize(this->Tracer.GetScene().Lights.size());
   return &this->Neighbors;
 }
 
@@ -60,7 +60,7 @@ void PixelContext::Load(glm::ivec2 pixel)
 
 double PixelContext::ComputePixelSize(double distance) const
 {
-  const Camera& camera = this->GetScene().ViewCamera;
+  const Camera& camera = this->Tracer.GetCamera();
   return camera.PixelSize * (camera.Parallel ? 1.0 : distance + camera.DepthOfRayOrigins());
 }
 
@@ -94,7 +94,7 @@ bool PixelContext::IsIsolated() const
   {
     return false;
   }
-  const bool isRound = this->GetScene().Surfaces[hit.Surface].IsRound();
+  const bool isRound = this->GetSurfaces()[hit.Surface].IsRound();
   const auto isOnSurface = [&](glm::ivec2 q) {
     if (glm::any(glm::lessThan(q, this->Grid.GetLow())) ||
       glm::any(glm::greaterThan(q, this->Grid.GetHigh())))

@@ -38,7 +38,7 @@ public:
   std::vector<PenumbraNeighbors>* GetNeighbors(std::uint32_t penumbrae);
 
   glm::dvec2 GetOrigin() const { return glm::dvec2(this->Position); }
-  const Scene& GetScene() const { return this->Tracer.GetScene(); }
+  const std::vector<Surface>& GetSurfaces() const { return this->Tracer.GetRays().GetSurfaces(); }
   /// Returns the side length of a pixel at a distance from the origin of a ray, in scene units.
   double ComputePixelSize(double distance) const;
 

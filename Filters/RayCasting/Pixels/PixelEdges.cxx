@@ -65,7 +65,7 @@ void PixelEdges::Load(bool cull)
     limit = this->ComputeDepthBehind(limit);
   }
 
-  const bool parallel = this->Pixel.GetScene().ViewCamera.Parallel;
+  const bool parallel = this->Pixel.Tracer.GetCamera().Parallel;
   const glm::dvec2 origin = this->Pixel.GetOrigin();
   for (std::size_t i = 0; i < this->List.Count; ++i)
   {
@@ -111,7 +111,7 @@ void PixelEdges::AddHiddenShape(const ProjectedEdge& edge, double depth, double 
     return;
   }
   const RoundShape shape =
-    this->Pixel.GetScene().Surfaces[edge.RoundSurface].GetRoundShape(edge.RoundPrimitive);
+    this->Pixel.GetSurfaces()[edge.RoundSurface].GetRoundShape(edge.RoundPrimitive);
   if (depth - 2.0 * std::max(shape.RadiusA, shape.RadiusB) <= limit)
   {
     this->AddPrimitive(PrimitiveId{ edge.RoundSurface, edge.RoundPrimitive });
@@ -173,7 +173,7 @@ bool PixelEdges::AddIntersections()
 {
   const std::size_t before = this->Segments.size();
   const glm::dvec2 origin = this->Pixel.GetOrigin();
-  const Scene& scene = this->Pixel.GetScene();
+  const Scene& scene = this->Pixel.Tracer.GetScene();
   bool found = false;
   for (std::size_t i = this->PairsTested; i < this->VisiblePrimitives.size(); ++i)
   {

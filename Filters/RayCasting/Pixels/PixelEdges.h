@@ -59,7 +59,8 @@ public:
   /// Returns the maximum depth in this pixel of the opaque surface that a sample hit.
   double MaximumOpaqueDepth(const Sample& sample) const
   {
-    return penumbra::MaximumOpaqueDepth(this->Pixel.GetScene(), sample, this->Pixel.GetOrigin());
+    return penumbra::MaximumOpaqueDepth(
+      this->Pixel.Tracer.GetScene(), sample, this->Pixel.GetOrigin());
   }
 
   /// Adds what a sample hit to the primitives whose intersections are edges.
@@ -93,7 +94,7 @@ public:
 private:
   double ComputeDepthBehind(double depth) const
   {
-    return penumbra::ComputeDepthBehind(depth, this->Pixel.GetScene().ViewCamera);
+    return penumbra::ComputeDepthBehind(depth, this->Pixel.Tracer.GetCamera());
   }
   void AddPrimitive(PrimitiveId id);
   void AddLayersBehind(int corner);

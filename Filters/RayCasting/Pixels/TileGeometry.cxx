@@ -28,15 +28,15 @@ TileGeometry::TileGeometry(const TileEdges& edges, glm::ivec2 origin, int side,
   this->RasterizesAll = rasterizer && count > RasterizedEdgesPerPixel * area;
 }
 
-bool TileGeometry::IsUnsteady(const Scene& scene, const Hit& hit) const
+bool TileGeometry::IsUnsteady(const CameraRayTracer& tracer, const Hit& hit) const
 {
   if (!hit.IsHit() || this->Flags.Unsteady.empty() || !this->Flags.Unsteady[hit.Surface])
   {
     return false;
   }
-  const Surface& surface = scene.Surfaces[hit.Surface];
+  const Surface& surface = tracer.GetRays().GetSurfaces()[hit.Surface];
   return HasUnsteadyNormal(surface, surface.GetStoredTriangle(hit.Primitive)) ||
-    IsPartlyNegated(surface, hit.Primitive, scene.ViewCamera);
+    IsPartlyNegated(surface, hit.Primitive, tracer.GetCamera());
 }
 
 }

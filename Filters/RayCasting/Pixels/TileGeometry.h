@@ -74,7 +74,7 @@ public:
   }
 
   /// Returns true if the color changes abruptly within the triangle of a hit.
-  bool IsUnsteady(const Scene& scene, const Hit& hit) const;
+  bool IsUnsteady(const CameraRayTracer& tracer, const Hit& hit) const;
 
   const std::vector<ProjectedEdge>& Edges;
   TileRasterizer* const Rasterizer; ///< null: samples are traced

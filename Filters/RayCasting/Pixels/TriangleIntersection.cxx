@@ -162,10 +162,10 @@ double MaximumRoundDepthInPixel(const Scene& scene, PrimitiveId id, glm::dvec2 o
 
 }
 
-bool HaveCommonEdge(const Scene& scene, PrimitiveId a, PrimitiveId b)
+bool HaveCommonEdge(const std::vector<Surface>& surfaces, PrimitiveId a, PrimitiveId b)
 {
-  const Surface& s = scene.Surfaces[a.Surface];
-  const Surface& t = scene.Surfaces[b.Surface];
+  const Surface& s = surfaces[a.Surface];
+  const Surface& t = surfaces[b.Surface];
   if (s.IsRound() || t.IsRound())
   {
     return false;
@@ -206,7 +206,7 @@ double MaximumDepthInPixel(const Scene& scene, PrimitiveId id, glm::dvec2 origin
 bool IntersectTriangles(
   const Scene& scene, PrimitiveId a, PrimitiveId b, glm::dvec2 origin, PixelSegment& segment)
 {
-  if (HaveCommonEdge(scene, a, b))
+  if (HaveCommonEdge(scene.Surfaces, a, b))
   {
     return false;
   }

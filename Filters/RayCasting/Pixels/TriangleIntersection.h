@@ -16,6 +16,7 @@ namespace penumbra
 {
 
 struct Scene;
+struct Surface;
 
 /**
  * Returns the largest depth in the pixel with the lower left corner `origin` of the plane of a
@@ -24,7 +25,7 @@ struct Scene;
 double MaximumDepthInPixel(const Scene& scene, PrimitiveId id, glm::dvec2 origin);
 
 /// Returns true if two triangles have two equal positions.
-bool HaveCommonEdge(const Scene& scene, PrimitiveId a, PrimitiveId b);
+bool HaveCommonEdge(const std::vector<Surface>& surfaces, PrimitiveId a, PrimitiveId b);
 
 /**
  * Computes the projected intersection of `a` and `b` in the pixel with the lower left corner

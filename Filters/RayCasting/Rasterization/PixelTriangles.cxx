@@ -159,7 +159,7 @@ void PixelTriangles::FindKind()
 
 bool PixelTriangles::HasLines() const
 {
-  const std::vector<Surface>& surfaces = this->Tile.GetRays().GetScene().Surfaces;
+  const std::vector<Surface>& surfaces = this->Tile.GetRays().GetSurfaces();
   return std::any_of(
     this->Selected.begin(), this->Selected.end(), [&](const PixelTriangle& triangle) {
       return surfaces[this->Tile.GetId(triangle.Index).Surface].IsLineOrPoint;

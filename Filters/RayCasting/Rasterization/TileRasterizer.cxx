@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TileRasterizer.h"
 
-#include "Scene.h"
 #include "Surface.h"
 
 #include <algorithm>
@@ -17,9 +16,9 @@ TileRasterizer::TileRasterizer(
 {
 }
 
-bool TileRasterizer::RequiresRays(const Scene& scene)
+bool TileRasterizer::RequiresRays(const std::vector<Surface>& surfaces)
 {
-  return std::any_of(scene.Surfaces.begin(), scene.Surfaces.end(),
+  return std::any_of(surfaces.begin(), surfaces.end(),
     [](const Surface& surface) { return surface.Instances != nullptr; });
 }
 

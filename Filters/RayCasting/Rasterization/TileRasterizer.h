@@ -27,7 +27,7 @@ public:
   TileRasterizer(const RayScene& rays, const TileGrid& tiles, const TriangleBins& bins, int tile);
 
   /// Returns true if only rays can decide what is visible in scenes of this kind.
-  static bool RequiresRays(const Scene& scene);
+  static bool RequiresRays(const std::vector<Surface>& surfaces);
 
   /// Selects a pixel of the tile. Returns false if a ray or layers must decide what is visible: at
   /// translucent and textured surfaces, in front of the near plane, and if LayerOrder decides.

@@ -3,7 +3,6 @@
 #include "LayerSampler.h"
 
 #include "Sampling/EdgeBlending.h"
-#include "Scene.h"
 #include "Surface.h"
 #include "Tiles/ScreenTriangle.h"
 
@@ -160,7 +159,7 @@ void LayerSampler::ShadeLayer(SampledPixel& pixel, std::uint32_t layer, PixelLay
   if (!this->Pixel.Tracer.GetShading().IsConstantPerTriangle(id.Surface))
   {
     color.Id = id;
-    color.Of = &this->Pixel.Tracer.GetScene().Surfaces[id.Surface];
+    color.Of = &this->Pixel.GetSurfaces()[id.Surface];
     ShadePartOfLayer(this->Pixel, this->Rasterizer, layer, pixel, color);
     return;
   }
@@ -168,7 +167,7 @@ void LayerSampler::ShadeLayer(SampledPixel& pixel, std::uint32_t layer, PixelLay
   if (!constant.Of)
   {
     constant.Id = id;
-    constant.Of = &this->Pixel.Tracer.GetScene().Surfaces[id.Surface];
+    constant.Of = &this->Pixel.GetSurfaces()[id.Surface];
     const std::array<glm::vec3, 3> points = constant.Of->GetPoints(id.Primitive);
     const ScreenTriangle projected(points, this->Pixel.Tracer.GetCamera());
     const LayerColor shaded = this->Pixel.Tracer.ShadeLayer(

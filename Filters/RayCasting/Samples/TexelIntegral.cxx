@@ -4,7 +4,6 @@
 
 #include "LayerSampler.h"
 #include "Pixels/CoverageConstants.h"
-#include "Scene.h"
 #include "Surface.h"
 
 #include <algorithm>
@@ -133,7 +132,7 @@ std::optional<PixelResult> IntegrateTexels(PixelContext& context, const TileRast
   pixel.Y = context.Position.y;
   PixelLayerColor color;
   color.Id = rasterizer.GetLayer(0);
-  color.Of = &context.Tracer.GetScene().Surfaces[color.Id.Surface];
+  color.Of = &context.GetSurfaces()[color.Id.Surface];
   ShadePartOfLayer(context, rasterizer, 0, pixel, color);
   const PixelTexture& found = pixel.Textures[color.Texture];
   const Texture& texture = *found.Image;

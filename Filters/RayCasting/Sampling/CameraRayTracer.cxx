@@ -50,14 +50,14 @@ CameraRayTracer::CameraRayTracer(const RayScene& rays, const Shading& shading, c
     SurfaceShading(shading),
     ViewCamera(camera)
 {
-  const std::vector<Surface>& surfaces = rays.GetScene().Surfaces;
+  const std::vector<Surface>& surfaces = rays.GetSurfaces();
   this->Translucent = std::any_of(surfaces.begin(), surfaces.end(),
     [](const Surface& surface) { return surface.IsTranslucent(); });
   this->Textured = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& surface) {
     return surface.ColorTexture || surface.LitTexture || surface.BaseColorTexture ||
       surface.DetailTextures;
   });
-  this->Kinds = LayerOrder::FindKinds(rays.GetScene());
+  this->Kinds = LayerOrder::FindKinds(surfaces);
 }
 
 Ray CameraRayTracer::MakeRay(glm::dvec2 p) const
@@ -68,6 +68,12 @@ Ray CameraRayTracer::MakeRay(glm::dvec2 p) const
   ray.Near =
     static_cast<float>(std::max(this->ViewCamera.Near - this->ViewCamera.DepthOfRayOrigins(), 0.0));
   return ray;
+}
+
+bool CameraRayTracer::HasBackgroundImage() const
+{
+  const penumbra::Background& background = this->Rays.GetScene().BackgroundColors;
+  return background.Image != nullptr || background.Surroundings != nullptr;
 }
 
 glm::vec4 CameraRayTracer::GetBackground(glm::dvec2 p) const
@@ -151,7 +157,7 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
       hit = this->Rays.Intersect(continuation);
       continue;
     }
-    const Surface& surface = this->GetScene().Surfaces[hit.Surface];
+    const Surface& surface = this->Rays.GetSurfaces()[hit.Surface];
     if (this->Shafts &&
       (this->Shafts->GetMedium().IncludesTranslucentSurfaces || !surface.IsTranslucent()))
     {
@@ -236,7 +242,8 @@ Sample CameraRayTracer::ShadeSample(
   Sample sample;
   if (triangle)
   {
-    sample.FirstHit = ComputeHit(this->GetScene(), triangle->Surface, triangle->Primitive, ray);
+    sample.FirstHit =
+      ComputeHit(this->Rays.GetSurfaces(), triangle->Surface, triangle->Primitive, ray);
   }
   this->CompositeLayers(p, ray, sample, counts, toleranceScale, 0, nullptr);
   return sample;
@@ -245,7 +252,7 @@ Sample CameraRayTracer::ShadeSample(
 LayerColor CameraRayTracer::ShadeLayer(glm::dvec2 p, PrimitiveId triangle, RayCounts& counts) const
 {
   const Ray ray = this->MakeRay(p);
-  const Hit hit = ComputeHit(this->GetScene(), triangle.Surface, triangle.Primitive, ray);
+  const Hit hit = ComputeHit(this->Rays.GetSurfaces(), triangle.Surface, triangle.Primitive, ray);
   const ShadedHit shaded =
     this->SurfaceShading.Shade(ray, hit, counts.Shadow, nullptr, Shading::Terms::Untextured);
   return { triangle, shaded.Color, EdgeBlending::ComputeSlope(ray, shaded) };
@@ -324,11 +331,11 @@ void CameraRayTracer::TraceLayers(const glm::dvec2* points, unsigned int active,
       samples[i].Color = this->GetBackground(points[i]);
     }
     else if (shaded >> i & 1u || this->Translucent || !this->Kinds.empty() ||
-      this->GetScene().Surfaces[hits[i].Surface].IsLineOrPoint)
+      this->Rays.GetSurfaces()[hits[i].Surface].IsLineOrPoint)
     {
       this->CompositeLayers(points[i], rays[i], samples[i], counts, 1.0, 0, nullptr, &layers[i]);
     }
-    else if (this->IsLitLayer(this->GetScene().Surfaces[hits[i].Surface]))
+    else if (this->IsLitLayer(this->Rays.GetSurfaces()[hits[i].Surface]))
     {
       const glm::dvec3 normal(this->Rays.GetNormal(rays[i], hits[i]));
       const bool isBehind = glm::dot(normal, glm::dvec3(rays[i].Direction)) > 0.0;

@@ -5,7 +5,6 @@
 #ifndef penumbra_CameraRayTracer_h
 #define penumbra_CameraRayTracer_h
 
-#include "Background.h"
 #include "Camera.h"
 #include "LayerLighting.h"
 #include "LayerOrder.h"
@@ -136,11 +135,7 @@ public:
   glm::vec4 GetBackground(glm::dvec2 p) const;
 
   /// Returns true if the background is an image, which is not linear inside a pixel.
-  bool HasBackgroundImage() const
-  {
-    const penumbra::Background& background = this->SurfaceShading.GetScene().BackgroundColors;
-    return background.Image != nullptr || background.Surroundings != nullptr;
-  }
+  bool HasBackgroundImage() const;
 
   /// Returns true if the order in which VTK draws surfaces decides which are layers of a ray.
   bool HasLayerOrder() const { return !this->Kinds.empty(); }

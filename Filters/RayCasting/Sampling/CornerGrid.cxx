@@ -51,7 +51,7 @@ void CornerGrid::TraceBlock(const CameraRayTracer& tracer, glm::ivec2 block, boo
 {
   RayCounts counts;
   static_assert(BlockSide * BlockSide == CameraRayTracer::PacketSize, "one packet per block");
-  const glm::ivec2 last(tracer.GetScene().ViewCamera.Width, tracer.GetScene().ViewCamera.Height);
+  const glm::ivec2 last(tracer.GetCamera().Width, tracer.GetCamera().Height);
   const glm::ivec2 first = (this->FirstBlock + block) * BlockSide;
   glm::dvec2 points[CameraRayTracer::PacketSize];
   Sample samples[CameraRayTracer::PacketSize];

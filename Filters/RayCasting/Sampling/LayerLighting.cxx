@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LayerLighting.h"
 
-#include "Scene.h"
+#include "SceneCoordinates.h"
 #include "Shading/RayTracingConstants.h"
 #include "Surface.h"
 #include "Vectors.h"
@@ -34,7 +34,7 @@ struct SurfacePoint
   glm::dvec3 Normal;
 
   SurfacePoint(const RayScene& rays, const Ray& ray, const Hit& hit, const ShadedHit& shaded)
-    : Position(rays.GetScene().ToWorld(
+    : Position(rays.GetCoordinates().ToWorld(
         glm::dvec3(ray.Origin) + static_cast<double>(hit.Distance) * glm::dvec3(ray.Direction))),
       Geometric(glm::normalize(glm::dvec3(shaded.GeometricNormal))),
       Normal(rays.GetSmoothNormal(hit, this->Geometric))
@@ -123,7 +123,7 @@ void LayerLighting::Apply(const Ray& ray, const Hit& hit, const ShadedHit& shade
     return;
   }
   const bool occlusion = this->Settings.OcclusionProvider != nullptr;
-  const Surface& surface = this->Rays.GetScene().Surfaces[hit.Surface];
+  const Surface& surface = this->Rays.GetSurfaces()[hit.Surface];
   const float strength = occlusion ? this->Settings.GetStrength(surface) : 0.f;
   const glm::vec3 reflectance =
     this->Settings.IrradianceProvider ? this->Settings.Albedo * shaded.Reflectance : glm::vec3(0.f);

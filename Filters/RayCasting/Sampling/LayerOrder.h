@@ -7,17 +7,17 @@
 #define penumbra_LayerOrder_h
 
 #include "PrimitiveId.h"
-#include "Scene.h"
-#include "Surface.h"
+#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which benchmarks need
 
-#include <tuple>
 #include <vector>
 
 namespace penumbra
 {
 
+struct Surface;
+
 /// State of one ray. Hits are passed front to back.
-class LayerOrder
+class VTKPENUMBRAFILTERSRAYCASTING_EXPORT LayerOrder
 {
 public:
   /// How VTK draws a surface.
@@ -31,7 +31,7 @@ public:
   };
 
   /// Returns the kind of each surface of a scene; empty if all surfaces are opaque or translucent.
-  static std::vector<Kinds> FindKinds(const Scene& scene);
+  static std::vector<Kinds> FindKinds(const std::vector<Surface>& surfaces);
 
   /// Returns true if VTK draws the hit of a surface of `kind`.
   bool IsDrawn(Kinds kind, PrimitiveId hit);
@@ -41,49 +41,6 @@ private:
   bool IsBehindForced = false;
   PrimitiveId Last{}; ///< the last hit of a surface with ForceOpaque that is drawn
 };
-
-inline std::vector<LayerOrder::Kinds> LayerOrder::FindKinds(const Scene& scene)
-{
-  std::vector<Kinds> kinds;
-  bool isOrdered = false;
-  for (const Surface& surface : scene.Surfaces)
-  {
-    kinds.push_back(surface.HidesLines ? Kinds::LineMask
-        : surface.ForceOpaque          ? Kinds::ForcedOpaque
-        : surface.HasHiddenLines       ? Kinds::HiddenLines
-        : surface.IsTranslucent()      ? Kinds::Translucent
-                                       : Kinds::Opaque);
-    isOrdered |= surface.HidesLines || surface.ForceOpaque;
-  }
-  return isOrdered ? kinds : std::vector<Kinds>();
-}
-
-// VTK draws opaque actors in their order, with the depth test. So of the hits behind one that is
-// drawn, exactly those appear through it that are drawn before it and before all others in front.
-inline bool LayerOrder::IsDrawn(Kinds kind, PrimitiveId hit)
-{
-  if (kind == Kinds::LineMask)
-  {
-    this->IsBehindMask = true;
-    return false;
-  }
-  if (this->IsBehindMask && (kind == Kinds::HiddenLines || kind == Kinds::Translucent))
-  {
-    return false;
-  }
-  if (this->IsBehindForced &&
-    (kind == Kinds::Translucent ||
-      std::tie(hit.Surface, hit.Primitive) > std::tie(this->Last.Surface, this->Last.Primitive)))
-  {
-    return false;
-  }
-  if (kind == Kinds::ForcedOpaque)
-  {
-    this->IsBehindForced = true;
-    this->Last = hit;
-  }
-  return true;
-}
 
 }
 #endif

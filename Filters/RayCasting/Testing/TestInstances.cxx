@@ -9,9 +9,9 @@
 #include "Embree/RayScene.h"
 #include "Image/ImageRegion.h"
 #include "Import/SceneExtraction.h"
-#include "InstanceCopies.h"
 #include "SceneBounds.h"
 #include "Shading/Shading.h"
+#include "Vector/InstanceCopies.h"
 
 #include "vtkActorCollection.h"
 #include "vtkImageData.h"
@@ -105,7 +105,7 @@ void ExpectSameImage(const Scene& scene, int outliers, bool shadows = false)
 {
   ASSERT_GT(CountInstances(scene), 0);
   Scene copied = scene;
-  penumbra::CopyInstances(copied);
+  penumbra::CopyInstances(copied.Surfaces);
   const penumbra::ImageRegion a = Render(scene, shadows);
   const penumbra::ImageRegion b = Render(copied, shadows);
   int different = 0;
@@ -156,7 +156,7 @@ TEST(Instances, AreHitLikeCopies)
   Fields fields;
   const Scene scene = Extract(fields.Instances.Renderer);
   Scene copied = scene;
-  penumbra::CopyInstances(copied);
+  penumbra::CopyInstances(copied.Surfaces);
   ASSERT_EQ(CountInstances(copied), 0);
   const penumbra::RayScene rays(scene, 1);
   const penumbra::RayScene expected(copied, 1);

@@ -81,7 +81,7 @@ TriangleBins::TriangleBins(
   {
     return;
   }
-  const bool ordered = !LayerOrder::FindKinds(scene).empty();
+  const bool ordered = !LayerOrder::FindKinds(scene.Surfaces).empty();
   std::transform(scene.Surfaces.begin(), scene.Surfaces.end(), std::back_inserter(this->BySurface),
     [=](const Surface& surface) { return FindVisibility(surface, ordered); });
   const TriangleSequence triangles(scene.Surfaces);

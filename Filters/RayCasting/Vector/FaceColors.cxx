@@ -204,7 +204,7 @@ std::vector<FaceColor> SampleFaceColors(const CameraRayTracer& tracer, int step)
 
 bool ExceedTolerance(const CameraRayTracer& tracer, double tolerance)
 {
-  const Camera& camera = tracer.GetScene().ViewCamera;
+  const Camera& camera = tracer.GetCamera();
   const double samplesPerSide = static_cast<double>(FaceSamplesPerPixelSide) / EstimateStep;
   const double samples = samplesPerSide * samplesPerSide * camera.Width * camera.Height;
   if (samples < FewestSamples)

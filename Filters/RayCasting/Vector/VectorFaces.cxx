@@ -4,6 +4,7 @@
 
 #include "FaceColors.h"
 #include "FaceOrder.h"
+#include "Overlay.h"
 #include "Scene.h"
 #include "Surface.h"
 #include "Vectors.h"
@@ -85,7 +86,7 @@ class FaceBuilder
 public:
   explicit FaceBuilder(const CameraRayTracer& tracer)
     : Tracer(tracer),
-      ViewCamera(tracer.GetScene().ViewCamera)
+      ViewCamera(tracer.GetCamera())
   {
   }
 
@@ -263,8 +264,7 @@ private:
     }
   }
 
-  /// Returns 1 / depth, or in parallel projection the negative depth, as a function of the image
-  /// coordinates.
+  /// Returns 1 / depth, or in parallel projection the negative depth, as a function of the image coordinates.
   glm::dvec3 ComputeNearness(const Face& face) const
   {
     const Camera& camera = this->ViewCamera;
@@ -284,8 +284,7 @@ private:
     return glm::dvec3(constant, right, up) / distance;
   }
 
-  /// Finds the triangle on the other side of each edge, and the vertices around which all triangles
-  /// are drawn.
+  /// Finds the triangle on the other side of each edge, and the vertices around which all triangles are drawn.
   void FindNeighbors()
   {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::array<std::uint32_t, 3>> edges;
@@ -476,7 +475,7 @@ std::string AddVisibleFaces(const CameraRayTracer& tracer, std::size_t maximum, 
   {
     return "the scene contains translucent surfaces";
   }
-  if (!scene.OverlayImage.IsEmpty())
+  if (scene.OverlayImage && !scene.OverlayImage->IsEmpty())
   {
     return "a 2-D actor has a texture or interpolated colors";
   }

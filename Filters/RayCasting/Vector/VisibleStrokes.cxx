@@ -144,7 +144,7 @@ class StrokeParts
 public:
   StrokeParts(const CameraRayTracer& tracer, const Stroke& stroke, std::vector<FigurePath>& paths)
     : Tracer(tracer),
-      ViewCamera(tracer.GetScene().ViewCamera),
+      ViewCamera(tracer.GetCamera()),
       Line(stroke),
       Paths(paths)
   {

@@ -5,7 +5,6 @@
 #include "AxisAlignedBox.h"
 #include "PlanarCells.h"
 #include "RayTriangle.h"
-#include "Scene.h"
 #include "SceneBounds.h"
 #include "Surface.h"
 
@@ -187,10 +186,10 @@ CoincidentSurfaces::Traits::Traits(const Surface& surface)
 {
 }
 
-CoincidentSurfaces::CoincidentSurfaces(const Scene& scene)
-  : TracedScene(scene)
+CoincidentSurfaces::CoincidentSurfaces(const std::vector<Surface>& surfaces)
+  : Surfaces(surfaces)
 {
-  for (const Surface& surface : scene.Surfaces)
+  for (const Surface& surface : surfaces)
   {
     this->TraitsBySurface.emplace_back(surface);
   }
@@ -201,7 +200,7 @@ void CoincidentSurfaces::Update(const std::vector<std::uint32_t>& surfaces)
 {
   for (const std::uint32_t i : surfaces)
   {
-    this->TraitsBySurface[i] = Traits(this->TracedScene.Surfaces[i]);
+    this->TraitsBySurface[i] = Traits(this->Surfaces[i]);
   }
   this->Sort();
 }
@@ -318,7 +317,7 @@ Hit CoincidentSurfaces::Resolve(
   for (int i = 0; candidates.Count > 1 && i < candidates.Count; ++i)
   {
     const CandidateHit& hit = candidates.Hits[i];
-    const Surface& surface = this->TracedScene.Surfaces[hit.Surface];
+    const Surface& surface = this->Surfaces[hit.Surface];
     if (surface.IsRound())
     {
       distances[i] = hit.Distance;

@@ -65,7 +65,7 @@ class VTKPENUMBRAFILTERSRAYTRACING_EXPORT CoincidentSurfaces
 public:
   /// Finds the surfaces whose bounding boxes are within the depth tolerance of another one. `scene`
   /// must outlive this object.
-  explicit CoincidentSurfaces(const Scene& scene);
+  explicit CoincidentSurfaces(const std::vector<Surface>& surfaces);
 
   /// Reads these surfaces of the scene again.
   void Update(const std::vector<std::uint32_t>& surfaces);
@@ -128,7 +128,7 @@ private:
   void FindOrder(std::vector<std::uint32_t> surfaces);
   void Sort();
 
-  const Scene& TracedScene;
+  const std::vector<Surface>& Surfaces;
   std::vector<Traits> TraitsBySurface;
   std::vector<float> DepthTolerances; ///< per surface
   std::vector<char> LastInFront;      ///< per surface: see IsLastInFront()

@@ -3,7 +3,6 @@
 #include "EmbreeQuery.h"
 #include "PlanarCells.h"
 #include "RayScene.h"
-#include "Scene.h"
 #include "SliverTree.h"
 #include "Surface.h"
 
@@ -61,7 +60,7 @@ struct NearQuery
 
   double ComputeDistance(std::uint32_t index, std::uint32_t primitive) const
   {
-    const Surface& surface = this->Rays.GetScene().Surfaces[index];
+    const Surface& surface = this->Rays.GetSurfaces()[index];
     if (surface.IsRound())
     {
       return penumbra::ComputeDistance(this->Point, surface.GetRoundShape(primitive));
@@ -97,7 +96,7 @@ private:
   static bool Callback(RTCPointQueryFunctionArguments* args)
   {
     NearQuery& self = *static_cast<NearQuery*>(args->userPtr);
-    const bool isRound = self.Rays.GetScene().Surfaces[args->geomID].IsRound();
+    const bool isRound = self.Rays.GetSurfaces()[args->geomID].IsRound();
     if (args->context->instStackSize > 0 || (isRound && !self.IncludesRound) || self.IsDone())
     {
       return false;

@@ -9,7 +9,6 @@
 #include "RayScene.h"
 #include "RayTriangle.h"
 #include "RoundIntersection.h"
-#include "Scene.h"
 #include "SliverTree.h"
 #include "Surface.h"
 
@@ -100,7 +99,7 @@ class EdgeHits
 public:
   EdgeHits(const RayScene& rays, const Ray& ray, std::uint32_t surface)
     : Rays(rays),
-      Mesh(rays.GetScene().Surfaces[surface]),
+      Mesh(rays.GetSurfaces()[surface]),
       TracedRay(ray),
       Direction(ray.Direction),
       SquaredLength(glm::dot(this->Direction, this->Direction)),
@@ -311,17 +310,17 @@ Hit MakeHit(const RayScene& rays, const Ray& ray, const Hit& embreeHit, Candidat
     }
   }
   Hit hit = resolved;
-  const Scene& scene = rays.GetScene();
-  if (scene.Surfaces[hit.Surface].IsRound())
+  const Surface& surface = rays.GetSurfaces()[hit.Surface];
+  if (surface.IsRound())
   {
     if (IsInCoordinatePlane(ray))
     {
-      RecomputeRoundHit(scene.Surfaces[hit.Surface].GetRoundShape(hit.Primitive), ray, hit);
+      RecomputeRoundHit(surface.GetRoundShape(hit.Primitive), ray, hit);
     }
     hit.NextNear = MakeNextNear(hit.Distance, resolved.NextNear);
     return hit;
   }
-  RayTriangle exact(scene.Surfaces[hit.Surface], hit.Primitive, ray);
+  RayTriangle exact(surface, hit.Primitive, ray);
   // The recomputed hit of an edge-on sliver is unreliable; the hit of Embree is kept.
   if (exact.IsValid &&
     std::abs(exact.Distance - resolved.Distance) <= SliverError * std::abs(exact.Distance))
@@ -329,7 +328,7 @@ Hit MakeHit(const RayScene& rays, const Ray& ray, const Hit& embreeHit, Candidat
     if (exact.IsOnEdge)
     {
       hit.Primitive = EdgeHits(rays, ray, hit.Surface).FindLowest(hit.Primitive, exact);
-      exact = RayTriangle(scene.Surfaces[hit.Surface], hit.Primitive, ray);
+      exact = RayTriangle(surface, hit.Primitive, ray);
     }
     const double u = std::clamp(exact.U, 0.0, 1.0);
     hit.U = static_cast<float>(u);
@@ -484,7 +483,7 @@ Ray ContinueBehind(Ray ray, const Hit& hit)
 
 Hit SkipLinesAndPoints(const RayScene& rays, Ray ray, Hit hit)
 {
-  while (hit.IsHit() && rays.GetScene().Surfaces[hit.Surface].IsLineOrPoint)
+  while (hit.IsHit() && rays.GetSurfaces()[hit.Surface].IsLineOrPoint)
   {
     ray = ContinueBehind(ray, hit);
     hit = rays.Intersect(ray);

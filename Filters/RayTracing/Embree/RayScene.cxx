@@ -91,10 +91,10 @@ std::string MakeDeviceConfiguration(int threads)
   return "threads=" + std::to_string(threads) + (additional ? std::string(",") + additional : "");
 }
 
-std::size_t CountPrimitives(const Scene& scene)
+std::size_t CountPrimitives(const std::vector<Surface>& surfaces)
 {
   std::size_t count = 0;
-  for (const Surface& surface : scene.Surfaces)
+  for (const Surface& surface : surfaces)
   {
     count += surface.Whole ? surface.Whole->Primitives : surface.GetNumberOfStoredPrimitives();
   }
@@ -113,7 +113,8 @@ std::uint64_t NextId()
 RayScene::RayScene(
   const Scene& scene, int threads, const ProgressCallback& progress, bool isDynamic)
   : TracedScene(scene),
-    Coincident(std::make_unique<CoincidentSurfaces>(scene)),
+    Surfaces(scene.Surfaces),
+    Coincident(std::make_unique<CoincidentSurfaces>(scene.Surfaces)),
     Traced(scene.Surfaces.size()),
     Id(NextId())
 {
@@ -131,7 +132,7 @@ RayScene::RayScene(
   {
     this->EmbreeScene = rtcNewScene(this->Device);
     int flags = RTC_SCENE_FLAG_ROBUST;
-    flags |= CountPrimitives(scene) < MinimumCompactTriangles ? 0 : RTC_SCENE_FLAG_COMPACT;
+    flags |= CountPrimitives(scene.Surfaces) < MinimumCompactTriangles ? 0 : RTC_SCENE_FLAG_COMPACT;
     if (isDynamic)
     {
       // A BVH of the BVHs of the geometries, which have a quality of their own.
@@ -155,7 +156,7 @@ RayScene::RayScene(
 void RayScene::Inspect(std::uint32_t surface, bool isMoved)
 {
   TracedSurface& traced = this->Traced[surface];
-  traced.Data = &this->TracedScene.Surfaces[surface];
+  traced.Data = &this->Surfaces[surface];
   traced.IsTranslucent = traced.Data->IsRound() && traced.Data->IsTranslucent();
   if (isMoved)
   {
@@ -252,6 +253,11 @@ void RayScene::BuildShape(TracedSurface& traced, const ProgressCallback& progres
   Commit(traced.Shape, this->Device, progress);
 }
 
+const SceneCoordinates& RayScene::GetCoordinates() const
+{
+  return this->TracedScene;
+}
+
 RayScene::~RayScene()
 {
   this->Release();
@@ -293,7 +299,7 @@ const PlanarCells* RayScene::GetCells(std::uint32_t surface) const
 
 glm::vec3 RayScene::GetNormal(const Ray& ray, const Hit& hit) const
 {
-  const Surface& surface = this->TracedScene.Surfaces[hit.Surface];
+  const Surface& surface = this->Surfaces[hit.Surface];
   if (!surface.IsRound())
   {
     return surface.ComputeNormal(hit.Primitive);
@@ -308,7 +314,7 @@ glm::vec3 RayScene::GetNormal(const Ray& ray, const Hit& hit) const
 
 glm::dvec3 RayScene::GetSmoothNormal(const Hit& hit, glm::dvec3 geometric) const
 {
-  const Surface& surface = this->TracedScene.Surfaces[hit.Surface];
+  const Surface& surface = this->Surfaces[hit.Surface];
   if (surface.Normals.empty() || surface.IsRound())
   {
     return geometric;

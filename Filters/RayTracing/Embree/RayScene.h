@@ -24,6 +24,8 @@ namespace penumbra
 {
 
 struct Scene;
+struct SceneCoordinates;
+struct Surface;
 struct SurfaceChange;
 
 class CoincidentSurfaces;
@@ -31,8 +33,7 @@ class PlanarCells;
 class SliverTree;
 struct TracedSurface;
 
-/// A ray. If the direction is from Camera::RayDirection(), distances are measured along the view
-/// axis.
+/// A ray. If the direction is from Camera::RayDirection(), distances are measured along the view axis.
 struct Ray
 {
   glm::vec3 Origin{ 0.f };
@@ -45,10 +46,9 @@ struct Ray
   int FirstInOrder = 0;
 };
 
-/// First hit of a ray, the same on every processor, unlike the hits that Embree returns. U, V and
-/// Distance are computed from the triangle in double precision. Of coincident surfaces, one is
-/// selected by CoincidentSurfaces. On an edge, the triangle of the surface with the lowest index is
-/// selected.
+/// First hit of a ray, the same on every processor, unlike the hits that Embree returns. U, V and Distance are
+/// computed from the triangle in double precision. Of coincident surfaces, one is selected by CoincidentSurfaces. On
+/// an edge, the triangle of the surface with the lowest index is selected.
 struct Hit
 {
   static constexpr std::uint32_t None = 0xffffffffu;
@@ -79,12 +79,11 @@ VTKPENUMBRAFILTERSRAYTRACING_EXPORT Hit SkipLinesAndPoints(const RayScene& rays,
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT RayScene
 {
 public:
-  /// Builds the BVH with at most `threads` threads (0: all). `scene` must outlive this object.
-  /// Positions and Triangles with spare capacity for one element are shared, others are copied.
-  /// Throws std::bad_alloc or std::runtime_error, and Stopped if `progress`, which is called on the
-  /// calling thread, returns true. If `isDynamic` is true, each surface has a BVH of its own below a
-  /// common one, so that the time of Update() is that of what changes; rays take up to 6 % longer (of
-  /// 1,000 spheres).
+  /// Builds the BVH with at most `threads` threads (0: all). `scene` must outlive this object. Positions and
+  /// Triangles with spare capacity for one element are shared, others are copied. Throws std::bad_alloc or
+  /// std::runtime_error, and Stopped if `progress`, which is called on the calling thread, returns true. If
+  /// `isDynamic` is true, each surface has a BVH of its own below a common one, so that the time of Update() is that
+  /// of what changes; rays take up to 6 % longer (of 1,000 spheres).
   RayScene(
     const Scene& scene, int threads, const ProgressCallback& progress = {}, bool isDynamic = false);
   ~RayScene();
@@ -113,15 +112,13 @@ public:
   /// Returns the oriented boxes that replace Embree's BVH of a surface of slivers, or null.
   const SliverTree* GetSlivers(std::uint32_t surface) const;
 
-  /// Returns the cells that are Embree's primitives of a surface of overlapping triangles in one
-  /// plane, or null.
+  /// Returns the cells that are Embree's primitives of a surface of overlapping triangles in one plane, or null.
   const PlanarCells* GetCells(std::uint32_t surface) const;
 
   /// Returns Embree's BVH of all surfaces.
   RTCSceneTy* GetTree() const { return this->EmbreeScene; }
 
-  /// Returns the BVH of the triangles of a surface with Instances, in their own coordinates, or
-  /// null.
+  /// Returns the BVH of the triangles of a surface with Instances, in their own coordinates, or null.
   RTCSceneTy* GetShape(std::uint32_t surface) const;
 
   /// Returns the interpolated normal at `hit`, on the side of the unit vector `geometric`, the
@@ -130,6 +127,8 @@ public:
   glm::dvec3 GetSmoothNormal(const Hit& hit, glm::dvec3 geometric) const;
 
   const Scene& GetScene() const { return this->TracedScene; }
+  const SceneCoordinates& GetCoordinates() const;
+  const std::vector<Surface>& GetSurfaces() const { return this->Surfaces; }
   const CoincidentSurfaces& GetCoincidentSurfaces() const { return *this->Coincident; }
 
   /// Returns an id that is unique in this process.
@@ -153,6 +152,7 @@ private:
   void Release();
 
   const Scene& TracedScene;
+  const std::vector<Surface>& Surfaces;
   std::unique_ptr<CoincidentSurfaces> Coincident;
   std::vector<TracedSurface> Traced; ///< per surface: data of the filter functions
   std::uint64_t Id;

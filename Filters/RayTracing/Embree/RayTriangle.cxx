@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RayTriangle.h"
 
-#include "Scene.h"
 #include "Surface.h"
 
 #include <algorithm>
@@ -70,9 +69,10 @@ RayTriangle::RayTriangle(const Surface& surface, std::uint32_t triangle, const R
   this->IsOnEdge = distance < this->EdgeTolerance && distance > -this->EdgeTolerance;
 }
 
-Hit ComputeHit(const Scene& scene, std::uint32_t surface, std::uint32_t triangle, const Ray& ray)
+Hit ComputeHit(const std::vector<Surface>& surfaces, std::uint32_t surface, std::uint32_t triangle,
+  const Ray& ray)
 {
-  const RayTriangle exact(scene.Surfaces[surface], triangle, ray);
+  const RayTriangle exact(surfaces[surface], triangle, ray);
   if (!exact.IsValid)
   {
     return {};

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace penumbra
 {
@@ -36,8 +37,8 @@ struct VTKPENUMBRAFILTERSRAYTRACING_EXPORT RayTriangle
 
 /// Returns the hit of a ray on a triangle that it is known to meet: U and V are clamped to the
 /// triangle. It is no hit if the ray is parallel to the triangle.
-VTKPENUMBRAFILTERSRAYTRACING_EXPORT Hit ComputeHit(
-  const Scene& scene, std::uint32_t surface, std::uint32_t triangle, const Ray& ray);
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT Hit ComputeHit(const std::vector<Surface>& surfaces,
+  std::uint32_t surface, std::uint32_t triangle, const Ray& ray);
 
 /// Returns the distance, in units of |direction|, at which a ray hits a triangle, or NaN. The test is
 /// watertight: a ray through an edge hits at least one of its triangles.

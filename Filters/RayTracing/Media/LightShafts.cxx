@@ -16,8 +16,8 @@ LightShafts::LightShafts(const Shading& shading, const SpectralMedium& medium, M
     ScatteringMedium(medium),
     Quality(quality)
 {
-  const Scene& scene = shading.GetScene();
-  const std::vector<AxisAlignedBox> boxes = BoundOccluders(scene);
+  const Scene& scene = shading.GetRays().GetScene();
+  const std::vector<AxisAlignedBox> boxes = BoundOccluders(scene.Surfaces);
   for (const Light& light : scene.Lights)
   {
     if (light.CastsShadow && light.DiffuseColor != glm::vec3(0.f))

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MediumExtraction.h"
 
+#include "Light.h"
 #include "Medium/MediumCoefficients.h"
-#include "Scene.h"
+#include "SceneCoordinates.h"
 #include "vtkPenumbraMedium.h"
 
 #include "vtkDataArray.h"
@@ -21,7 +22,8 @@ namespace
 {
 
 /// Converts a valid image to scene coordinates.
-std::shared_ptr<const DensityImage> ConvertDensity(vtkImageData* source, const Scene& scene)
+std::shared_ptr<const DensityImage> ConvertDensity(
+  vtkImageData* source, const SceneCoordinates& coordinates)
 {
   vtkDataArray* scalars = source->GetPointData()->GetScalars();
   auto image = std::make_shared<DensityImage>();
@@ -29,8 +31,8 @@ std::shared_ptr<const DensityImage> ConvertDensity(vtkImageData* source, const S
   for (int axis = 0; axis < 3; ++axis)
   {
     image->Size[axis] = source->GetDimensions()[axis];
-    image->Spacing[axis] = source->GetSpacing()[axis] * scene.Scale;
-    image->Low[axis] = (bounds[2 * axis] - scene.Origin[axis]) * scene.Scale;
+    image->Spacing[axis] = source->GetSpacing()[axis] * coordinates.Scale;
+    image->Low[axis] = (bounds[2 * axis] - coordinates.Origin[axis]) * coordinates.Scale;
   }
   image->Values.resize(static_cast<std::size_t>(scalars->GetNumberOfTuples()));
   for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
@@ -41,7 +43,7 @@ std::shared_ptr<const DensityImage> ConvertDensity(vtkImageData* source, const S
 }
 
 MediumDensity ConvertDensity(
-  vtkPenumbraMedium* source, const MediumSettings& settings, const Scene& scene)
+  vtkPenumbraMedium* source, const MediumSettings& settings, const SceneCoordinates& coordinates)
 {
   MediumDensity density;
   if (settings.HasFalloff())
@@ -49,8 +51,9 @@ MediumDensity ConvertDensity(
     const glm::dvec3 up =
       glm::normalize(glm::dvec3(settings.Up[0], settings.Up[1], settings.Up[2]));
     density.Up = up;
-    density.ScaleHeight = settings.ScaleHeight * scene.Scale;
-    density.BaseHeight = (settings.BaseHeight - glm::dot(up, scene.Origin)) * scene.Scale;
+    density.ScaleHeight = settings.ScaleHeight * coordinates.Scale;
+    density.BaseHeight =
+      (settings.BaseHeight - glm::dot(up, coordinates.Origin)) * coordinates.Scale;
   }
   if (source->GetDensity())
   {
@@ -59,14 +62,15 @@ MediumDensity ConvertDensity(
     {
       throw std::runtime_error("the density image " + invalid);
     }
-    density.Image = ConvertDensity(source->GetDensity(), scene);
+    density.Image = ConvertDensity(source->GetDensity(), coordinates);
   }
   return density;
 }
 
 }
 
-SpectralMedium ConvertMedium(vtkPenumbraMedium* source, const Scene& scene, double diagonal)
+SpectralMedium ConvertMedium(
+  vtkPenumbraMedium* source, const SceneCoordinates& coordinates, double diagonal)
 {
   const MediumSettings settings(source);
   if (const char* reason = FindInvalidMediumSetting(settings))
@@ -80,12 +84,12 @@ SpectralMedium ConvertMedium(vtkPenumbraMedium* source, const Scene& scene, doub
   Medium channel;
   channel.Phase = static_cast<Medium::Phases>(source->GetPhase());
   channel.Asymmetry = source->GetAsymmetry();
-  channel.Density = ConvertDensity(source, settings, scene);
+  channel.Density = ConvertDensity(source, settings, coordinates);
   const double* bounds = source->GetBounds();
   for (int axis = 0; axis < 3; ++axis)
   {
-    channel.Low[axis] = (bounds[2 * axis] - scene.Origin[axis]) * scene.Scale;
-    channel.High[axis] = (bounds[2 * axis + 1] - scene.Origin[axis]) * scene.Scale;
+    channel.Low[axis] = (bounds[2 * axis] - coordinates.Origin[axis]) * coordinates.Scale;
+    channel.High[axis] = (bounds[2 * axis + 1] - coordinates.Origin[axis]) * coordinates.Scale;
     if (!(channel.Low[axis] < channel.High[axis]))
     {
       throw std::runtime_error("Bounds must not be empty");
@@ -101,9 +105,9 @@ SpectralMedium ConvertMedium(vtkPenumbraMedium* source, const Scene& scene, doub
     ResolveMediumCoefficients(settings, diagonal);
   for (std::size_t i = 0; i < 3; ++i)
   {
-    medium.Channels[i].Scattering = coefficients[i].Scattering / scene.Scale;
-    medium.Channels[i].Rayleigh = coefficients[i].Rayleigh / scene.Scale;
-    medium.Channels[i].Extinction = coefficients[i].Extinction / scene.Scale;
+    medium.Channels[i].Scattering = coefficients[i].Scattering / coordinates.Scale;
+    medium.Channels[i].Rayleigh = coefficients[i].Rayleigh / coordinates.Scale;
+    medium.Channels[i].Extinction = coefficients[i].Extinction / coordinates.Scale;
   }
   const bool plain = medium.IsGray() && channel.Density.IsUniform() && settings.Rayleigh == 0.0;
   medium.AttenuatesSurfaceLight = source->GetSurfaceLight() == vtkPenumbraMedium::ATTENUATED ||
@@ -122,7 +126,7 @@ std::optional<LightShafts> MakeLightShafts(vtkPenumbraMedium* source, const Shad
   SpectralMedium medium;
   try
   {
-    medium = ConvertMedium(source, shading.GetScene(), diagonal);
+    medium = ConvertMedium(source, shading.GetRays().GetCoordinates(), diagonal);
   }
   catch (const std::runtime_error& error)
   {

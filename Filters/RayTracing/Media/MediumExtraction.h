@@ -16,10 +16,12 @@ class vtkPenumbraMedium;
 namespace penumbra
 {
 
+struct SceneCoordinates;
+
 /// Converts `source` to scene coordinates. `diagonal` is the diagonal of the scene in world units.
 /// Throws std::runtime_error, with a sentence without period, if a setting is invalid.
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT SpectralMedium ConvertMedium(
-  vtkPenumbraMedium* source, const Scene& scene, double diagonal);
+  vtkPenumbraMedium* source, const SceneCoordinates& coordinates, double diagonal);
 
 /// Creates the light shafts of a scene in the medium `source`. Returns nothing if `source` is null,
 /// or if there are no light shafts; then `warning` gives the reason.

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShadowVolumes.h"
 
-#include "Scene.h"
+#include "Light.h"
 #include "Shading/RayTracingConstants.h"
 #include "Surface.h"
+
 #include <algorithm>
 
 namespace penumbra
@@ -45,10 +46,10 @@ void SplitAtMedian(std::vector<AxisAlignedBox>& triangles, std::size_t begin, st
 
 }
 
-std::vector<AxisAlignedBox> BoundOccluders(const Scene& scene)
+std::vector<AxisAlignedBox> BoundOccluders(const std::vector<Surface>& surfaces)
 {
   std::vector<AxisAlignedBox> triangles;
-  for (const Surface& surface : scene.Surfaces)
+  for (const Surface& surface : surfaces)
   {
     if (surface.IsLineOrPoint)
     {

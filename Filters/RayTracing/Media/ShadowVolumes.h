@@ -17,7 +17,7 @@ namespace penumbra
 {
 
 struct Light;
-struct Scene;
+struct Surface;
 
 /// Interval of the parameter of a ray.
 struct RayInterval
@@ -27,7 +27,8 @@ struct RayInterval
 };
 
 /// Returns at most 16 boxes that bound all triangles that cast shadows.
-VTKPENUMBRAFILTERSRAYTRACING_EXPORT std::vector<AxisAlignedBox> BoundOccluders(const Scene& scene);
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT std::vector<AxisAlignedBox> BoundOccluders(
+  const std::vector<Surface>& surfaces);
 
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT ShadowVolumes
 {

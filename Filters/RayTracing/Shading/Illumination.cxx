@@ -115,7 +115,7 @@ glm::vec3 Illumination::IncidentRadiance(
       return sum +
         transmittance * (map ? map->ClampedRadiance(ray.Direction) : this->Settings.Environment);
     }
-    if (!this->Rays.GetScene().Surfaces[hit.Surface].IsLineOrPoint)
+    if (!this->Rays.GetSurfaces()[hit.Surface].IsLineOrPoint)
     {
       const ShadedHit shaded =
         this->SurfaceShading.Shade(ray, hit, rays, nullptr, Shading::Terms::Diffuse);

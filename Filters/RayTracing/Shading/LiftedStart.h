@@ -10,7 +10,6 @@
 #include "Embree/RayScene.h"
 #include "Geometry/SmoothSurface.h"
 #include "HemisphereSampling.h"
-#include "Scene.h"
 #include "Shading.h"
 #include "Surface.h"
 
@@ -54,7 +53,7 @@ inline bool LiftRayStart(const Shading& shading, glm::vec3& point, const Hit& hi
     return false;
   }
   const std::optional<float> lift =
-    FindLift(shading.GetScene().Surfaces[hit.Surface], hit, normals);
+    FindLift(shading.GetRays().GetSurfaces()[hit.Surface], hit, normals);
   if (!lift)
   {
     return false;

@@ -9,7 +9,6 @@
 #include "LiftedStart.h"
 #include "OwenSobolSequence.h"
 #include "RayTracingConstants.h"
-#include "Scene.h"
 #include "Surface.h"
 #include "Vectors.h"
 
@@ -245,7 +244,7 @@ private:
     ++rays;
     for (int layer = 1; hit.IsHit() && hit.Distance <= end; ++layer)
     {
-      if (!this->Light.Rays.GetScene().Surfaces[hit.Surface].IsLineOrPoint)
+      if (!this->Light.Rays.GetSurfaces()[hit.Surface].IsLineOrPoint)
       {
         const bool reached = hit.Surface == emitter.Target->Surface &&
           hit.Distance >= (1.f - EmitterDistanceTolerance) * emitter.Distance;

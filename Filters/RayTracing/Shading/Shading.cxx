@@ -125,7 +125,7 @@ ShadedHit Shading::ShadeEmission(const Ray& ray, const Hit& hit) const
   if (material.UniformEmission)
   {
     const PhongCoefficients& phong = material.Front;
-    const Surface& surface = this->Rays.GetScene().Surfaces[hit.Surface];
+    const Surface& surface = this->Rays.GetSurfaces()[hit.Surface];
     ShadedHit shaded;
     shaded.Reflectance = surface.Front.Lighting ? phong.Diffuse : glm::vec3(0.f);
     shaded.Emission =
@@ -417,7 +417,7 @@ float Shading::TraceTransmittance(Ray ray, long long& shadowRays) const
     {
       return transmittance;
     }
-    if (!this->Rays.GetScene().Surfaces[hit.Surface].IsLineOrPoint)
+    if (!this->Rays.GetSurfaces()[hit.Surface].IsLineOrPoint)
     {
       transmittance *= 1.f - ComputeOpacity(this->Rays, hit, ray);
     }
@@ -448,7 +448,7 @@ void Shading::TraceTransmittance16(
 
 float Shading::ComputeOpacity(const RayScene& rays, const Hit& hit, const Ray& ray)
 {
-  const Surface& surface = rays.GetScene().Surfaces[hit.Surface];
+  const Surface& surface = rays.GetSurfaces()[hit.Surface];
   const std::array<glm::vec3, 3> points = surface.GetPoints(hit.Primitive);
   const glm::vec3 normal = surface.IsRound()
     ? rays.GetNormal(ray, hit)

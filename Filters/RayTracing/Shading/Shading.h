@@ -97,7 +97,7 @@ public:
   /// alpha of its colors and textures.
   static float ComputeOpacity(const RayScene& rays, const Hit& hit, const Ray& ray);
 
-  const Scene& GetScene() const { return this->Rays.GetScene(); }
+  const RayScene& GetRays() const { return this->Rays; }
 
   /// Returns the background at image point p, as non-premultiplied RGBA.
   glm::vec4 Background(glm::dvec2 p) const;

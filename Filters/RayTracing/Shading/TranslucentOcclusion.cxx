@@ -3,7 +3,6 @@
 #include "TranslucentOcclusion.h"
 
 #include "RayTracingConstants.h"
-#include "Scene.h"
 #include "Shading.h"
 #include "Surface.h"
 
@@ -11,9 +10,9 @@
 
 namespace penumbra
 {
-bool HasTranslucentOccluders(const Scene& scene)
+bool HasTranslucentOccluders(const std::vector<Surface>& surfaces)
 {
-  return std::any_of(scene.Surfaces.begin(), scene.Surfaces.end(),
+  return std::any_of(surfaces.begin(), surfaces.end(),
     [](const Surface& surface) { return !surface.IsLineOrPoint && surface.IsTranslucent(); });
 }
 

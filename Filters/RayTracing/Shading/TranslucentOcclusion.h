@@ -10,12 +10,15 @@
 #include "Embree/RayScene.h"
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which other modules need
 
+#include <vector>
+
 namespace penumbra
 {
 
 /// Returns true if a surface other than lines and points is translucent. Otherwise every hit
 /// occludes completely.
-VTKPENUMBRAFILTERSRAYTRACING_EXPORT bool HasTranslucentOccluders(const Scene& scene);
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT bool HasTranslucentOccluders(
+  const std::vector<Surface>& surfaces);
 
 /// Returns the transmittance below which a ray ends, if the mean of many is estimated to `tolerance`.
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT float ComputeOcclusionCut(double tolerance);

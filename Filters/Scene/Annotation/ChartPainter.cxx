@@ -3,6 +3,7 @@
 #include "ChartPainter.h"
 
 #include "Features/SceneFeatures.h"
+#include "Overlay.h"
 #include "OverlayDevice.h"
 #include "Scene.h"
 #include "SceneExtractionOverlay.h"
@@ -65,8 +66,8 @@ void PaintChart(vtkContextActor* actor, vtkRenderer* renderer, int dpi, Scene& s
       return;
     }
   }
-  const double scale = FindScale(renderer, dpi, scene.OverlayImage);
-  if (PaintItems(items, scene.OverlayImage, scale))
+  const double scale = FindScale(renderer, dpi, *scene.OverlayImage);
+  if (PaintItems(items, *scene.OverlayImage, scale))
   {
     WarnFeature(Feature::ChartTextures, actor->GetClassName(), scene.Warnings);
   }

@@ -3,6 +3,7 @@
 #include "OverlayDevice.h"
 
 #include "ChartShapes.h"
+#include "Overlay.h"
 #include "OverlayPainter.h"
 #include "SceneExtractionOverlay.h"
 

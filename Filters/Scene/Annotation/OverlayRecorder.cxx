@@ -5,6 +5,7 @@
 #include "ClassReplacement.h"
 #include "LabelCopies.h"
 #include "Material.h"
+#include "Overlay.h"
 #include "OverlayText.h"
 #include "Scene.h"
 #include "SceneExtractionOverlay.h"
@@ -351,7 +352,7 @@ void ReplaceClasses()
 }
 
 OverlayRecorder::OverlayRecorder(vtkRenderer* renderer, int dpi, Scene& scene, bool skipsTextures)
-  : Image(scene.OverlayImage),
+  : Image(*scene.OverlayImage),
     DPI(dpi),
     SkipsTextures(skipsTextures)
 {

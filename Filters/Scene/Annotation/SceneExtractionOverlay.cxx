@@ -6,6 +6,7 @@
 #include "ChartPainter.h"
 #include "CollectionItems.h"
 #include "Features/SceneFeatures.h"
+#include "Overlay.h"
 #include "OverlayRecorder.h"
 #include "Scene.h"
 
@@ -144,7 +145,7 @@ bool DrawTextActor(vtkTextActor* actor, int dpi, Scene& scene)
         text, property, static_cast<int>(size.x), static_cast<int>(size.y), dpi);
     }
   }
-  return DrawText(text, property, anchor, dpi, scene.OverlayImage);
+  return DrawText(text, property, anchor, dpi, *scene.OverlayImage);
 }
 
 /// Pixels that vtkTextActor::MinimumSize grants to scaled text.
@@ -178,7 +179,7 @@ bool DrawAxesLabels(vtkAxesActor* axes, int dpi, Scene& scene)
     renderer->GetConstrainedFontSize(
       text, property, static_cast<int>(size.x), static_cast<int>(size.y), dpi);
     drawn = DrawText(text, property, low + static_cast<double>(caption->GetPadding()), dpi,
-              scene.OverlayImage) &&
+              *scene.OverlayImage) &&
       drawn;
   }
   return drawn;

@@ -6,6 +6,7 @@
 #include "CoincidentTopology.h"
 #include "CollectionItems.h"
 #include "Features/SceneFeatures.h"
+#include "Overlay.h"
 #include "Scene.h"
 #include "SceneExtractionActors.h"
 #include "SceneExtractionAxes.h"
@@ -129,7 +130,7 @@ void ExtractView(vtkRenderer* renderer, const double bounds[6], const Extraction
   const glm::dmat4& distortion, Scene& scene)
 {
   ExtractCamera(renderer, bounds, options, distortion, scene);
-  scene.OverlayImage = Overlay(scene.ViewCamera.Width, scene.ViewCamera.Height);
+  scene.OverlayImage = std::make_shared<Overlay>(scene.ViewCamera.Width, scene.ViewCamera.Height);
   ExtractLights(renderer, options, distortion, scene);
   ExtractBackground(renderer, options, scene);
   ExtractEnvironmentLight(renderer, scene);

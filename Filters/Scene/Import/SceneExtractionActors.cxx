@@ -9,6 +9,7 @@
 #include "Features/UnsupportedFeatures.h"
 #include "Geometry/CurvedCells.h"
 #include "Geometry/SurfaceGeometry.h"
+#include "Material.h"
 #include "SceneExtractionAxes.h"
 #include "SceneExtractionBlocks.h"
 #include "SceneExtractionColors.h"
@@ -16,7 +17,6 @@
 #include "SceneExtractionProps.h"
 #include "SceneExtractionSky.h"
 #include "SceneExtractionSplats.h"
-#include "Surface.h"
 #include "Tessellation/SceneExtractionImposters.h"
 
 #include "vtkActor.h"

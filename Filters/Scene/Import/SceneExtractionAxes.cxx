@@ -265,7 +265,7 @@ void AddInvisibleText(const RecordedPart& part, Scene& scene)
   shape.Angle = glm::degrees(std::atan2(line.y, line.x));
   shape.FontSize =
     glm::distance(shape.Baseline, camera.Project(toScene.Point(upper))) / AscenderHeight;
-  scene.OverlayImage.AddShape(std::move(shape));
+  scene.OverlayImage->AddShape(std::move(shape));
 }
 
 }

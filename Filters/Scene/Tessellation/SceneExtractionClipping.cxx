@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionClipping.h"
 
-#include "Scene.h"
+#include "SceneCoordinates.h"
 #include "Surface.h"
 
 #include <map>
@@ -161,18 +161,19 @@ private:
 
 }
 
-glm::dvec4 ToScene(glm::dvec4 plane, const Scene& scene)
+glm::dvec4 ToScene(glm::dvec4 plane, const SceneCoordinates& coordinates)
 {
   // world = Origin + x / Scale
   const glm::dvec3 normal(plane);
-  return { normal, scene.Scale * (plane.w + glm::dot(normal, scene.Origin)) };
+  return { normal, coordinates.Scale * (plane.w + glm::dot(normal, coordinates.Origin)) };
 }
 
-void ClipSurface(const std::vector<glm::dvec4>& planes, const Scene& scene, Surface& surface)
+void ClipSurface(
+  const std::vector<glm::dvec4>& planes, const SceneCoordinates& coordinates, Surface& surface)
 {
   for (const glm::dvec4& plane : planes)
   {
-    PlaneClipper(surface, ToScene(plane, scene)).Clip();
+    PlaneClipper(surface, ToScene(plane, coordinates)).Clip();
   }
 }
 

@@ -14,16 +14,16 @@
 namespace penumbra
 {
 
-struct Scene;
+struct SceneCoordinates;
 struct Surface;
 
 /// Keeps the part of `surface` with dot(plane, (x, 1)) >= 0 for every plane; planes are in world
 /// coordinates. Normals, colors and texture coordinates are interpolated at the cuts.
 VTKPENUMBRAFILTERSSCENE_EXPORT void ClipSurface(
-  const std::vector<glm::dvec4>& planes, const Scene& scene, Surface& surface);
+  const std::vector<glm::dvec4>& planes, const SceneCoordinates& coordinates, Surface& surface);
 
 /// Converts a plane from world to scene coordinates.
-glm::dvec4 ToScene(glm::dvec4 plane, const Scene& scene);
+glm::dvec4 ToScene(glm::dvec4 plane, const SceneCoordinates& coordinates);
 
 }
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionImposters.h"
 
-#include "Surface.h"
+#include "Material.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

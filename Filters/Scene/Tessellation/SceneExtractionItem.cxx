@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionItem.h"
 
-#include "Scene.h"
+#include "SceneCoordinates.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -110,9 +110,9 @@ bool DependsOnOthers(const DrawItem& item)
   return HasLinesOrPoints(item) && !(item.LineOffset.IsZero() && item.PointOffset.IsZero());
 }
 
-SceneTransform::SceneTransform(const glm::dmat4& toWorld, const Scene& scene)
-  : Linear(scene.Scale * glm::dmat3(toWorld)),
-    Shift(scene.Scale * (glm::dvec3(toWorld[3]) - scene.Origin))
+SceneTransform::SceneTransform(const glm::dmat4& toWorld, const SceneCoordinates& coordinates)
+  : Linear(coordinates.Scale * glm::dmat3(toWorld)),
+    Shift(coordinates.Scale * (glm::dvec3(toWorld[3]) - coordinates.Origin))
 {
   // Removing the scale keeps the lengths of normals and avoids overflow and underflow.
   const double size = std::cbrt(std::abs(glm::determinant(this->Linear)));

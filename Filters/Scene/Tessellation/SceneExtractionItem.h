@@ -28,6 +28,7 @@ namespace penumbra
 {
 
 struct Scene;
+struct SceneCoordinates;
 class SurfaceSlopes;
 
 /// Result of mapping scalars to colors.
@@ -122,7 +123,7 @@ bool DependsOnOthers(const DrawItem& item);
 class SceneTransform
 {
 public:
-  SceneTransform(const glm::dmat4& toWorld, const Scene& scene);
+  SceneTransform(const glm::dmat4& toWorld, const SceneCoordinates& coordinates);
   glm::vec3 Point(const double x[3]) const;
   /// Transforms a normal by the inverse transpose, as VTK's shaders do. The result is not
   /// normalized.

@@ -140,12 +140,12 @@ TEST(Overlay, MatchesVTKForText)
 
   const Scene scene = ExtractScene(renderer, MakeOptions(200, 100));
   EXPECT_TRUE(scene.Warnings.empty());
-  ASSERT_FALSE(scene.OverlayImage.IsEmpty());
+  ASSERT_FALSE(scene.OverlayImage->IsEmpty());
   int written = 0;
   for (int y = 0; y < 100; ++y)
   {
     std::vector<glm::vec4> row(200, glm::vec4(0.2f, 0.3f, 0.4f, 1.f));
-    scene.OverlayImage.CompositeOver(0, y, 200, row.data());
+    scene.OverlayImage->CompositeOver(0, y, 200, row.data());
     for (int x = 0; x < 200; ++x)
     {
       for (int k = 0; k < 3; ++k)
@@ -181,24 +181,24 @@ TEST(ScalarBar, DrawsColorsLabelsAndTitle)
     }
     const Scene scene = ExtractScene(renderer, MakeOptions(400, 300));
     EXPECT_TRUE(scene.Warnings.empty());
-    const std::vector<glm::vec4> colors = Composite(scene.OverlayImage);
+    const std::vector<glm::vec4> colors = Composite(*scene.OverlayImage);
     const auto red = [&](int x, int y) { return colors[y * 400 + x].r; };
     if (vertical)
     {
       // The color bar starts at (0.82, 0.1) of the image size; red increases upward.
       EXPECT_LT(red(335, 35), red(335, 120));
       EXPECT_LT(red(335, 120), red(335, 200));
-      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 360, 30 }, { 400, 240 }).a, 0.5f);  // labels
-      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 330, 246 }, { 400, 270 }).a, 0.5f); // title
+      EXPECT_GT(ComputeMaximum(*scene.OverlayImage, { 360, 30 }, { 400, 240 }).a, 0.5f);  // labels
+      EXPECT_GT(ComputeMaximum(*scene.OverlayImage, { 330, 246 }, { 400, 270 }).a, 0.5f); // title
     }
     else
     {
       EXPECT_LT(red(50, 35), red(200, 35));
       EXPECT_LT(red(200, 35), red(320, 35));
-      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 40, 50 }, { 360, 72 }).a, 0.5f);
-      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 150, 72 }, { 250, 90 }).a, 0.5f);
+      EXPECT_GT(ComputeMaximum(*scene.OverlayImage, { 40, 50 }, { 360, 72 }).a, 0.5f);
+      EXPECT_GT(ComputeMaximum(*scene.OverlayImage, { 150, 72 }, { 250, 90 }).a, 0.5f);
     }
-    EXPECT_EQ(ComputeMaximum(scene.OverlayImage, { 0, 0 }, { 4, 300 }).a, 0.f);
+    EXPECT_EQ(ComputeMaximum(*scene.OverlayImage, { 0, 0 }, { 4, 300 }).a, 0.f);
   }
 }
 
@@ -224,7 +224,7 @@ int CompareWithVTK(vtkScalarBarActor* bar, int width, int height)
   for (int y = 0; y < height; ++y)
   {
     std::vector<glm::vec4> row(width, glm::vec4(background[0], background[1], background[2], 1.f));
-    scene.OverlayImage.CompositeOver(0, y, width, row.data());
+    scene.OverlayImage->CompositeOver(0, y, width, row.data());
     for (int x = 0; x < width; ++x)
     {
       bool differs = false;

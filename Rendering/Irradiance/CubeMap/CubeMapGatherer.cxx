@@ -5,7 +5,6 @@
 #include "Embree/RayScene.h"
 #include "Embree/RayTriangle.h"
 #include "Gathering/HemisphereGrid.h"
-#include "Scene.h"
 #include "Shading/HemisphereSampling.h"
 #include "Surface.h"
 
@@ -102,11 +101,11 @@ CellFragments FindFragments(const Hemicube& cube, const Hemicube::Cells& cells,
 }
 
 /// Returns the hit of `ray` with the triangle in a texel; its distance is not set.
-Hit ComputeHit(
-  const Scene& scene, const TriangleClusters& clusters, const HemicubeTexel& texel, const Ray& ray)
+Hit ComputeHit(const std::vector<Surface>& surfaces, const TriangleClusters& clusters,
+  const HemicubeTexel& texel, const Ray& ray)
 {
   const auto& triangle = clusters.GetTriangle(static_cast<std::size_t>(texel.TriangleId));
-  const RayTriangle intersection(scene.Surfaces[triangle.Surface], triangle.Triangle, ray);
+  const RayTriangle intersection(surfaces[triangle.Surface], triangle.Triangle, ray);
   const double u = intersection.IsValid ? std::clamp(intersection.U, 0.0, 1.0) : 1.0 / 3.0;
   Hit hit;
   hit.Surface = triangle.Surface;
@@ -143,9 +142,9 @@ CubeMapGatherer::CubeMapGatherer(
   const RayGatherer& rays, int side, std::shared_ptr<CubeMapCounts> counts)
   : Rays(rays),
     Cube(side),
-    Clusters(rays.GetRays().GetScene()),
+    Clusters(rays.GetRays().GetSurfaces()),
     Renderer(
-      std::make_unique<HemicubeRenderer>(rays.GetRays().GetScene(), this->Clusters, this->Cube)),
+      std::make_unique<HemicubeRenderer>(rays.GetRays().GetSurfaces(), this->Clusters, this->Cube)),
     Counts(std::move(counts))
 {
 }
@@ -198,7 +197,7 @@ long long CubeMapGatherer::SampleHemisphere(glm::vec3 point, const TangentFrame&
     if (fragment.Surface != Hit::None)
     {
       const HemicubeTexel& texel = texels[fragment.Texel];
-      hit = ComputeHit(this->Rays.GetRays().GetScene(), this->Clusters, texel, rays.back());
+      hit = ComputeHit(this->Rays.GetRays().GetSurfaces(), this->Clusters, texel, rays.back());
       hit.Distance = texel.Depth * length;
       hit.NextNear = hit.Distance * (1.f + DepthError);
     }

@@ -4,7 +4,6 @@
 
 #include "Frame/OpenGLFunctions.h"
 #include "Frame/Stage.h"
-#include "Scene.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"
@@ -55,11 +54,11 @@ struct HemicubeRenderer::Graphics
 };
 
 HemicubeRenderer::HemicubeRenderer(
-  const Scene& scene, const TriangleClusters& clusters, const Hemicube& cube)
+  const std::vector<Surface>& surfaces, const TriangleClusters& clusters, const Hemicube& cube)
   : Clusters(clusters),
     Cube(cube)
 {
-  this->Thread.Run([&] { this->Open(scene); });
+  this->Thread.Run([&] { this->Open(surfaces); });
 }
 
 HemicubeRenderer::~HemicubeRenderer()
@@ -79,7 +78,7 @@ HemicubeRenderer::~HemicubeRenderer()
   this->OpenGL.reset();
 }
 
-void HemicubeRenderer::Open(const Scene& scene)
+void HemicubeRenderer::Open(const std::vector<Surface>& surfaces)
 {
   auto graphics = std::make_unique<Graphics>();
   graphics->Window->SetOffScreenRendering(1);
@@ -112,7 +111,7 @@ void HemicubeRenderer::Open(const Scene& scene)
     throw std::runtime_error(NoOpenGL);
   }
   graphics->Vertices->Upload(
-    this->Clusters.CreateVertices(scene), vtkOpenGLBufferObject::ArrayBuffer);
+    this->Clusters.CreateVertices(surfaces), vtkOpenGLBufferObject::ArrayBuffer);
   graphics->Attributes->Bind();
   graphics->Attributes->AddAttributeArray(
     graphics->Program, graphics->Vertices, "vertex", 0, sizeof(IdVertex), VTK_FLOAT, 4, false);

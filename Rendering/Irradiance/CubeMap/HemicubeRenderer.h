@@ -29,7 +29,8 @@ class HemicubeRenderer
 {
 public:
   /// Throws std::runtime_error if OpenGL is not available. All arguments must outlive this object.
-  HemicubeRenderer(const Scene& scene, const TriangleClusters& clusters, const Hemicube& cube);
+  HemicubeRenderer(
+    const std::vector<Surface>& surfaces, const TriangleClusters& clusters, const Hemicube& cube);
   ~HemicubeRenderer();
 
   /// Renders the triangles at distances in [near, far] from `eye`, above the plane through `eye` and in the
@@ -39,7 +40,7 @@ public:
     std::vector<HemicubeTexel>& texels);
 
 private:
-  void Open(const Scene& scene);
+  void Open(const std::vector<Surface>& surfaces);
   void DrawFace(const Hemicube::Face& face, glm::vec3 eye, const glm::mat3& frame, float near,
     float far, long long& triangles);
 

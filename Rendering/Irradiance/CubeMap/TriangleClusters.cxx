@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleClusters.h"
 
-#include "Scene.h"
 #include "Surface.h"
 #include "Vectors.h"
 
@@ -22,9 +21,10 @@ constexpr std::size_t ClusterSize = 128;
 /// Largest triangle id that a float represents exactly with all smaller ones.
 constexpr std::size_t MaximumTriangles = (std::size_t(1) << 24) - 1;
 
-glm::vec3 GetVertex(const Scene& scene, const TriangleClusters::Triangle& triangle, int vertex)
+glm::vec3 GetVertex(
+  const std::vector<Surface>& surfaces, const TriangleClusters::Triangle& triangle, int vertex)
 {
-  const Surface& surface = scene.Surfaces[triangle.Surface];
+  const Surface& surface = surfaces[triangle.Surface];
   return surface.GetPoints(triangle.Triangle)[static_cast<std::size_t>(vertex)];
 }
 
@@ -58,14 +58,14 @@ struct SortedTriangle
 
 }
 
-TriangleClusters::TriangleClusters(const Scene& scene)
+TriangleClusters::TriangleClusters(const std::vector<Surface>& surfaces)
 {
   glm::vec3 low(std::numeric_limits<float>::max());
   glm::vec3 high(-low);
   std::vector<SortedTriangle> sorted;
-  for (std::uint32_t s = 0; s < scene.Surfaces.size(); ++s)
+  for (std::uint32_t s = 0; s < surfaces.size(); ++s)
   {
-    const Surface& surface = scene.Surfaces[s];
+    const Surface& surface = surfaces[s];
     if (surface.IsLineOrPoint || (!surface.Frontfaces && !surface.Backfaces))
     {
       continue;
@@ -82,7 +82,7 @@ TriangleClusters::TriangleClusters(const Scene& scene)
       sorted.push_back({ sides, 0, { s, t } });
       for (int c = 0; c < 3; ++c)
       {
-        const glm::vec3 vertex = GetVertex(scene, sorted.back().Triangle, c);
+        const glm::vec3 vertex = GetVertex(surfaces, sorted.back().Triangle, c);
         low = glm::min(low, vertex);
         high = glm::max(high, vertex);
       }
@@ -92,8 +92,8 @@ TriangleClusters::TriangleClusters(const Scene& scene)
   for (SortedTriangle& item : sorted)
   {
     const glm::vec3 centroid =
-      (GetVertex(scene, item.Triangle, 0) + GetVertex(scene, item.Triangle, 1) +
-        GetVertex(scene, item.Triangle, 2)) /
+      (GetVertex(surfaces, item.Triangle, 0) + GetVertex(surfaces, item.Triangle, 1) +
+        GetVertex(surfaces, item.Triangle, 2)) /
       3.f;
     item.Key = ComputeMortonCode((centroid - low) / size);
   }
@@ -113,7 +113,7 @@ TriangleClusters::TriangleClusters(const Scene& scene)
       this->Triangles.push_back(sorted[end].Triangle);
       for (int c = 0; c < 3; ++c)
       {
-        const glm::vec3 vertex = GetVertex(scene, sorted[end].Triangle, c);
+        const glm::vec3 vertex = GetVertex(surfaces, sorted[end].Triangle, c);
         low = glm::min(low, vertex);
         high = glm::max(high, vertex);
       }
@@ -124,7 +124,7 @@ TriangleClusters::TriangleClusters(const Scene& scene)
   }
 }
 
-std::vector<IdVertex> TriangleClusters::CreateVertices(const Scene& scene) const
+std::vector<IdVertex> TriangleClusters::CreateVertices(const std::vector<Surface>& surfaces) const
 {
   std::vector<IdVertex> vertices;
   vertices.reserve(3 * this->Triangles.size());
@@ -132,7 +132,7 @@ std::vector<IdVertex> TriangleClusters::CreateVertices(const Scene& scene) const
   {
     for (int c = 0; c < 3; ++c)
     {
-      vertices.push_back({ GetVertex(scene, this->Triangles[i], c), static_cast<float>(i + 1) });
+      vertices.push_back({ GetVertex(surfaces, this->Triangles[i], c), static_cast<float>(i + 1) });
     }
   }
   return vertices;

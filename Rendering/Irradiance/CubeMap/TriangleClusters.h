@@ -16,7 +16,7 @@
 namespace penumbra
 {
 
-struct Scene;
+struct Surface;
 
 /// Vertex for OpenGL: position, and the id of its triangle, starting at 1.
 struct IdVertex
@@ -37,10 +37,10 @@ class VTKPENUMBRARENDERINGIRRADIANCE_EXPORT TriangleClusters
 {
 public:
   /// Lines and points are skipped. Throws std::runtime_error if there are too many triangles.
-  explicit TriangleClusters(const Scene& scene);
+  explicit TriangleClusters(const std::vector<Surface>& surfaces);
 
   /// Returns three vertices per triangle, in the order of the clusters.
-  std::vector<IdVertex> CreateVertices(const Scene& scene) const;
+  std::vector<IdVertex> CreateVertices(const std::vector<Surface>& surfaces) const;
 
   struct Triangle
   {

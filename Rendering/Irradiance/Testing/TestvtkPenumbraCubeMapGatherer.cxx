@@ -141,7 +141,7 @@ TEST(TriangleClusters, CullOnlyTrianglesOutsideTheFrustum)
   AddSphere(scene, { 5.0, 0.0, 0.0 }, 1.0);
   AddSphere(scene, { -5.0, 0.0, 0.0 }, 1.0);
   AddSphere(scene, { 0.0, 5.0, 0.0 }, 1.0);
-  const TriangleClusters clusters(scene);
+  const TriangleClusters clusters(scene.Surfaces);
   const glm::vec3 x(1.f, 0.f, 0.f);
   const glm::vec3 y(0.f, 1.f, 0.f);
   const glm::vec3 z(0.f, 0.f, 1.f);

@@ -152,6 +152,9 @@ void RemoveShadingData(Scene& scene)
 
 }
 
+OccluderGeometry::OccluderGeometry() = default;
+OccluderGeometry::~OccluderGeometry() = default;
+
 bool OccluderGeometry::Update(vtkRenderer* renderer, double radius)
 {
   double position[3];

@@ -8,8 +8,6 @@
 
 #include "Camera.h"
 #include "Embree/RayScene.h"
-#include "Scene.h"
-#include "Surface.h"
 
 #include "vtkType.h"
 
@@ -21,9 +19,14 @@ class vtkRenderer;
 namespace penumbra
 {
 
+struct Scene;
+
 class OccluderGeometry
 {
 public:
+  OccluderGeometry();
+  ~OccluderGeometry();
+
   /// Updates the BVH for rays of length `radius` (world units). Returns whether it was rebuilt.
   /// Throws the exceptions of RayScene.
   bool Update(vtkRenderer* renderer, double radius);

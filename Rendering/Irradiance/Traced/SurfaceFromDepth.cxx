@@ -5,7 +5,7 @@
 #include "Execution/ParallelFor.h"
 #include "Frame/BackgroundDepth.h"
 #include "Frame/ScreenTransform.h"
-#include "Scene.h"
+#include "SceneCoordinates.h"
 #include "Shading/HemisphereSampling.h"
 #include "Surface.h"
 
@@ -53,21 +53,21 @@ public:
   {
     Matrix eyeToWorld;
     vtkMatrix4x4::Invert(view.WorldToEye.data(), eyeToWorld.data());
-    const Scene& scene = rays.GetScene();
-    std::transform(scene.Surfaces.begin(), scene.Surfaces.end(),
-      std::back_inserter(this->IsTranslucent),
+    const SceneCoordinates& coordinates = rays.GetCoordinates();
+    const std::vector<Surface>& surfaces = rays.GetSurfaces();
+    std::transform(surfaces.begin(), surfaces.end(), std::back_inserter(this->IsTranslucent),
       [](const Surface& surface) { return surface.IsTranslucent(); });
     for (int row = 0; row < 3; ++row)
     {
       for (int column = 0; column < 3; ++column)
       {
         this->EyeToScene[column][row] =
-          static_cast<float>(eyeToWorld[4 * row + column] * view.Unit * scene.Scale);
+          static_cast<float>(eyeToWorld[4 * row + column] * view.Unit * coordinates.Scale);
       }
       this->Eye[row] =
-        static_cast<float>((eyeToWorld[4 * row + 3] - scene.Origin[row]) * scene.Scale);
+        static_cast<float>((eyeToWorld[4 * row + 3] - coordinates.Origin[row]) * coordinates.Scale);
     }
-    this->UnitLength = static_cast<float>(view.Unit * scene.Scale);
+    this->UnitLength = static_cast<float>(view.Unit * coordinates.Scale);
     // See ScreenTransform::SetUniforms().
     this->DepthSlope = std::abs(view.Parallel ? 2.0 / view.Projection[10] / view.Unit
                                               : 2.0 / view.Projection[11] * view.Unit);
@@ -220,7 +220,7 @@ private:
 
   SurfacePoint ReconstructFromHit(const Ray& ray, const Hit& hit) const
   {
-    const Surface& surface = this->Rays.GetScene().Surfaces[hit.Surface];
+    const Surface& surface = this->Rays.GetSurfaces()[hit.Surface];
     const std::array<glm::vec3, 3> points = surface.GetPoints(hit.Primitive);
     const glm::vec3 normal = surface.IsRound()
       ? this->Rays.GetNormal(ray, hit)

@@ -3,7 +3,6 @@
 #include "TracedOcclusion.h"
 
 #include "Execution/ParallelFor.h"
-#include "Scene.h"
 #include "Shading/HemisphereSampling.h"
 #include "Shading/RayTracingConstants.h"
 #include "Shading/TranslucentOcclusion.h"
@@ -66,7 +65,7 @@ public:
       Counts(counts),
       Sums(sums),
       Stride(stride),
-      Translucent(HasTranslucentOccluders(rays.GetScene()))
+      Translucent(HasTranslucentOccluders(rays.GetSurfaces()))
   {
   }
 

@@ -5,16 +5,18 @@
 #ifndef penumbra_InstanceCopies_h
 #define penumbra_InstanceCopies_h
 
-#include "vtkPenumbraFiltersSceneModule.h"
+#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
+
+#include <vector>
 
 namespace penumbra
 {
 
-struct Scene;
+struct Surface;
 
 /// Replaces instances by copies of their triangles, for algorithms that need all triangles at once.
 /// The index of each triangle stays the same.
-VTKPENUMBRAFILTERSSCENE_EXPORT void CopyInstances(Scene& scene);
+VTKPENUMBRAFILTERSRAYCASTING_EXPORT void CopyInstances(std::vector<Surface>& surfaces);
 
 }
 #endif

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InstanceCopies.h"
 
-#include "Scene.h"
 #include "Surface.h"
 
 #include <utility>
@@ -60,9 +59,9 @@ void CopyInstances(Surface& surface)
 
 }
 
-void CopyInstances(Scene& scene)
+void CopyInstances(std::vector<Surface>& surfaces)
 {
-  for (Surface& surface : scene.Surfaces)
+  for (Surface& surface : surfaces)
   {
     if (surface.Instances)
     {
