@@ -94,14 +94,17 @@ std::string FindSimilarSubcommand(const CLI::App& program, const std::string& wo
 /// Returns the hidden option without its value, whose name is missing in the error of CLI11, or "".
 std::string FindHiddenOption(const CLI::App& command, const std::vector<std::string>& arguments)
 {
-  for (std::size_t i = 0; i < arguments.size(); ++i)
+  for (const std::string& argument : arguments)
   {
+    const std::size_t end = argument.find('=');
+    const bool isEmpty =
+      end == std::string::npos ? &argument == &arguments.back() : end + 1 == argument.size();
+    const std::string name = argument.substr(0, end);
     const CLI::Option* option =
-      arguments[i].rfind("--", 0) == 0 ? command.get_option_no_throw(arguments[i]) : nullptr;
-    const bool isLast = i + 1 == arguments.size() || arguments[i + 1].rfind('-', 0) == 0;
-    if (option && isLast && option->get_group().empty() && option->get_items_expected_min() > 0)
+      isEmpty && name.rfind("--", 0) == 0 ? command.get_option_no_throw(name) : nullptr;
+    if (option && option->get_group().empty() && option->get_items_expected_min() > 0)
     {
-      return arguments[i];
+      return name;
     }
   }
   return "";

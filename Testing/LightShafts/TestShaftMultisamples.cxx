@@ -5,6 +5,8 @@
 #include "ShaftScene.h"
 #include "vtkPenumbraMedium.h"
 
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkPenumbraTemporalSSAOPass.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -105,8 +107,9 @@ TEST(ShaftMultisamples, SmoothEdgesBeforeHaze)
   {
     const Reference reference = Reduce(Draw(8, 0, extinctions), 8);
     const double one = ErrorOfEdges(Draw(1, 0, extinctions), reference);
-    const double four = ErrorOfEdges(Draw(1, 4, extinctions), reference);
-    EXPECT_LT(four, 0.45 * one);
+    EXPECT_LT(ErrorOfEdges(Draw(1, 4, extinctions), reference), 0.45 * one);
+    // Drivers may round the number of samples up.
+    EXPECT_LT(ErrorOfEdges(Draw(1, 2, extinctions), reference), 0.8 * one);
   }
 }
 
@@ -119,4 +122,29 @@ TEST(ShaftMultisamples, SmoothEdgesAfterAmbientOcclusion)
   const Reference reference = Reduce(Draw(8, 0, gray), 8);
   const double one = ErrorOfEdges(Draw(1, 0, gray), reference);
   EXPECT_LT(ErrorOfEdges(Draw(1, 4, gray, occlude), reference), 0.45 * one);
+}
+
+TEST(ShaftMultisamples, DrawEachSampleOnceIfMultisamplingIsOff)
+{
+  ShaftScene scene(Width, Height);
+  scene.Window->SetMultiSamples(4);
+  scene.AddFloor(12.0);
+  scene.AddSun({ 0.2, 1.0, 0.32 })->SetIntensity(4.0);
+  scene.Look({ 0.5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
+  scene.SetMedium(0.06, 0.06);
+  const auto mean = [&scene]() {
+    scene.Window->Render();
+    vtkNew<vtkUnsignedCharArray> bytes;
+    scene.Window->GetRGBACharPixelData(0, 0, Width - 1, Height - 1, 0, bytes);
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < bytes->GetNumberOfTuples(); ++i)
+    {
+      sum += bytes->GetTypedComponent(i, 0) / 255.0;
+    }
+    return sum / static_cast<double>(bytes->GetNumberOfTuples());
+  };
+  const double expected = mean();
+  constexpr unsigned int multisample = 0x809D; // GL_MULTISAMPLE
+  static_cast<vtkOpenGLRenderWindow*>(scene.Window.Get())->GetState()->vtkglDisable(multisample);
+  EXPECT_NEAR(mean(), expected, 0.01);
 }

@@ -213,7 +213,7 @@ TEST(JoinedOcclusion, JoinsSurfacesBehindGlass)
   AddMesh(renderer, pane->GetOutput(), false)->GetProperty()->SetOpacity(0.25);
   OcclusionImage image(renderer, 64, 48, 1.0);
   OcclusionImage reference(renderer, 64, 48, 1.0);
-  EstimatePointsAlone(reference, 6e-3);
+  EstimatePointsAlone(reference, 3e-3);
   image.Caster->Update();
   reference.Caster->Update();
   EXPECT_LT(ComputeError(image, reference), 2.0 * LightTolerance);

@@ -13,6 +13,23 @@
 namespace penumbra
 {
 
+namespace
+{
+
+/// Rank-1 lattices of samples on a face of a small sphere or tube. Measured on parts of lit spheres: the RMS error
+/// of the mean of n samples is 0.6 to 1 of their standard deviation, divided by n.
+struct RoundLattice
+{
+  int Count, Generator;
+};
+constexpr RoundLattice RoundLattices[] = { { 16, 7 }, { 64, 27 }, { 256, 75 } };
+
+/// Error of a lattice over its difference from the one before, with a quarter of the samples: 1/4 if it falls with
+/// the number of samples, 1/2 if with its root.
+constexpr float LatticeStepFraction = 0.5f;
+
+}
+
 ExactIntegrator::ExactIntegrator(PixelContext& pixel, PixelEdges& edges, const TileGeometry& tile)
   : Pixel(pixel),
     Edges(edges),
@@ -253,8 +270,11 @@ PixelResult ExactIntegrator::SampleRoundFace(std::size_t index)
     return this->Pixel.Trace(trapezoids[k].At(glm::clamp(x, 0.0, 1.0), v), part);
   };
   PixelResult result;
+  const float limit = static_cast<float>(this->Pixel.Settings.Tolerance + 2.0 * this->Pixel.Noise);
   for (const RoundLattice& lattice : RoundLattices)
   {
+    const glm::vec4 before = result.Color;
+    const bool isFirst = &lattice == RoundLattices;
     const double weight = 1.0 / lattice.Count;
     glm::vec4 sum(0.f);
     glm::vec4 squares(0.f);
@@ -269,8 +289,10 @@ PixelResult ExactIntegrator::SampleRoundFace(std::size_t index)
     const auto part = static_cast<float>(weight);
     const glm::vec4 variance = glm::max(part * squares - part * sum * part * sum, 0.f);
     result.Color = part * sum;
-    result.Error = part * ComputeMaximumDifference(glm::sqrt(variance), glm::vec4(0.f));
-    if (static_cast<float>(area) * result.Error <= this->Pixel.Settings.Tolerance)
+    // Highlights and shadows converge more slowly than smooth colors.
+    result.Error = std::max(part * ComputeMaximumDifference(glm::sqrt(variance), glm::vec4(0.f)),
+      isFirst ? 0.f : LatticeStepFraction * ComputeMaximumDifference(result.Color, before));
+    if (static_cast<float>(area) * result.Error <= limit)
     {
       break;
     }

@@ -10,7 +10,9 @@
 #include "Surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace penumbra
@@ -93,22 +95,53 @@ bool IsInDifferentTexels(const Surface& surface, const Hit& a, const Hit& b)
 
 /// Returns true if a texture is discontinuous at an outline, where a single corner may be on the
 /// surface: compares it with the points at which the other corners see the plane of its triangle.
-bool IsDiscontinuousInPlane(const PixelContext& pixel)
+bool IsDiscontinuousInPlane(
+  const PixelContext& pixel, const Hit& hit, const std::array<Ray, 4>& rays)
 {
-  const std::vector<Surface>& surfaces = pixel.GetSurfaces();
-  for (int i = 0; i < 4; ++i)
+  const Surface& surface = pixel.GetSurfaces()[hit.Surface];
+  return !surface.IsRound() && std::any_of(rays.begin(), rays.end(), [&](const Ray& ray) {
+    Hit other = hit;
+    return IntersectPlane(surface, ray, other) && IsInDifferentTexels(surface, hit, other);
+  });
+}
+
+/// Returns the hits of a corner, up to the first opaque surface.
+std::vector<Hit> TraceHits(const PixelContext& pixel, int corner, Ray ray)
+{
+  const Sample& sample = pixel.Corners[corner];
+  std::vector<Hit> hits{ sample.FirstHit };
+  if (!(sample.FirstHit.Distance < sample.OpaqueDepth))
   {
-    const Hit& hit = pixel.Corners[i].FirstHit;
-    if (!hit.IsHit() || surfaces[hit.Surface].IsRound())
+    return hits;
+  }
+  Hit hit = pixel.Tracer.GetRays().Intersect(ray);
+  ++pixel.Rays.Refinement;
+  while (hit.IsHit() && hit.Distance < sample.OpaqueDepth && hits.size() <= MaximumTexturedLayers)
+  {
+    ray = ContinueBehind(ray, hit);
+    hit = pixel.Tracer.GetRays().Intersect(ray);
+    ++pixel.Rays.Refinement;
+    hits.push_back(hit);
+  }
+  return hits;
+}
+
+/// Corners at the ends of the sides of a pixel.
+constexpr std::pair<int, int> SidesOfPixel[] = { { 0, 1 }, { 0, 2 }, { 3, 1 }, { 3, 2 } };
+
+/// Returns true if two corners see different texels of a surface, among the layers of both.
+bool SeeDifferentTexels(
+  const std::vector<Surface>& surfaces, const std::vector<Hit>& a, const std::vector<Hit>& b)
+{
+  auto next = b.begin(); // layers of the two corners are in the same order
+  for (const Hit& hit : a)
+  {
+    const auto other = std::find_if(next, b.end(),
+      [&](const Hit& candidate) { return hit.IsHit() && candidate.Surface == hit.Surface; });
+    if (other != b.end())
     {
-      continue;
-    }
-    for (int j = 0; j < 4; ++j)
-    {
-      Hit other = hit;
-      const glm::dvec2 at = pixel.GetOrigin() + GetCornerOffset(j);
-      if (j != i && IntersectPlane(surfaces[hit.Surface], pixel.Tracer.MakeRay(at), other) &&
-        IsInDifferentTexels(surfaces[hit.Surface], hit, other))
+      next = other + 1;
+      if (IsInDifferentTexels(surfaces[hit.Surface], hit, *other))
       {
         return true;
       }
@@ -117,72 +150,34 @@ bool IsDiscontinuousInPlane(const PixelContext& pixel)
   return false;
 }
 
-/// Returns the hits of a corner behind its first hit, up to the first opaque surface.
-std::vector<Hit> TraceHitsBehind(const PixelContext& pixel, int corner)
-{
-  std::vector<Hit> hits;
-  const Sample& sample = pixel.Corners[corner];
-  if (!(sample.FirstHit.Distance < sample.OpaqueDepth))
-  {
-    return hits;
-  }
-  Ray ray = pixel.Tracer.MakeRay(pixel.GetOrigin() + GetCornerOffset(corner));
-  Hit hit = pixel.Tracer.GetRays().Intersect(ray);
-  while (hit.IsHit() && hit.Distance < sample.OpaqueDepth && hits.size() < MaximumTexturedLayers)
-  {
-    ray = ContinueBehind(ray, hit);
-    hit = pixel.Tracer.GetRays().Intersect(ray);
-    hits.push_back(hit);
-  }
-  return hits;
-}
-
-/// Returns true if a texture behind translucent layers may change abruptly within the pixel.
-bool IsTextureDiscontinuousBehind(const PixelContext& pixel)
-{
-  const std::vector<Surface>& surfaces = pixel.Tracer.GetScene().Surfaces;
-  std::vector<Hit> hits[4];
-  for (int i = 0; i < 4; ++i)
-  {
-    hits[i] = TraceHitsBehind(pixel, i);
-  }
-  for (int side = 0; side < 4; ++side)
-  {
-    std::size_t next = 0; // layers of the two corners are in the same order
-    for (const Hit& a : hits[side == 3 ? 3 : 0])
-    {
-      const std::vector<Hit>& others = hits[side < 2 ? side + 1 : side == 2 ? 3 : 1];
-      const auto b = std::find_if(others.begin() + static_cast<std::ptrdiff_t>(next), others.end(),
-        [&](const Hit& hit) { return a.IsHit() && hit.Surface == a.Surface; });
-      if (b != others.end())
-      {
-        next = static_cast<std::size_t>(b - others.begin()) + 1;
-        if (IsInDifferentTexels(surfaces[a.Surface], a, *b))
-        {
-          return true;
-        }
-      }
-    }
-  }
-  return false;
-}
-
-/// Returns true if the corners lie in different texels of a texture, so that colors may change within
-/// the pixel without an edge of the mesh. `hasEdges`: edges of the mesh cross the pixel.
+/// Returns true if a texture may change abruptly within the pixel, so that colors may change without an edge of the
+/// mesh: corners lie in different texels of it. `hasEdges`: edges of the mesh cross the pixel.
 bool IsTextureDiscontinuous(const PixelContext& pixel, bool hasEdges)
 {
-  const std::vector<Surface>& surfaces = pixel.GetSurfaces();
-  for (int side = 0; side < 4; ++side)
+  if (!pixel.Tracer.HasTextures())
   {
-    const Hit& a = pixel.Corners[side == 3 ? 3 : 0].FirstHit;
-    const Hit& b = pixel.Corners[side < 2 ? side + 1 : side == 2 ? 3 : 1].FirstHit;
-    if (a.Surface == b.Surface && a.IsHit() && IsInDifferentTexels(surfaces[a.Surface], a, b))
+    return false;
+  }
+  const bool hasLayers = pixel.Tracer.HasTexturesBehind();
+  std::array<std::vector<Hit>, 4> hits;
+  std::array<Ray, 4> rays;
+  for (int i = 0; i < 4; ++i)
+  {
+    rays[i] = pixel.Tracer.MakeRay(pixel.GetOrigin() + GetCornerOffset(i));
+    hits[i] = hasLayers ? TraceHits(pixel, i, rays[i]) : std::vector{ pixel.Corners[i].FirstHit };
+  }
+  for (const auto& [a, b] : SidesOfPixel)
+  {
+    if (SeeDifferentTexels(pixel.GetSurfaces(), hits[a], hits[b]))
     {
       return true;
     }
   }
-  return (hasEdges && !pixel.CornersAgree() && IsDiscontinuousInPlane(pixel)) ||
-    (pixel.Tracer.HasTexturesBehind() && IsTextureDiscontinuousBehind(pixel));
+  const bool mayDiffer = hasEdges && (hasLayers || !pixel.CornersAgree());
+  return mayDiffer && std::any_of(hits.begin(), hits.end(), [&](const std::vector<Hit>& layers) {
+    return std::any_of(layers.begin(), layers.end(),
+      [&](const Hit& hit) { return hit.IsHit() && IsDiscontinuousInPlane(pixel, hit, rays); });
+  });
 }
 
 /// Returns the distance of the first hit through a corner from the cone of a spotlight, negative inside.
@@ -308,7 +303,7 @@ PixelMethod ChooseMethod(const PixelContext& pixel, PixelEdges& edges, const Til
   }
   // A rasterized triangle and a face with a corner have only few colors.
   if (AnyCorner(pixel, [&](const Hit& hit) { return tile.IsUnsteady(pixel.Tracer, hit); }) ||
-    (edges.GetNumberOfEdges() > 0 && IsNearLightCone(pixel)))
+    IsNearLightCone(pixel))
   {
     return PixelMethod::Rays;
   }

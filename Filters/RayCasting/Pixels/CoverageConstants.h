@@ -91,13 +91,6 @@ constexpr float CurvatureSafetyFactor = 3.f;
 constexpr float ShadowContrast = 0.05f;
 /// Distance in pixels of a corner up to which the cone of a spotlight may cross the pixels around it.
 constexpr double LightConeMargin = 2.0;
-/// Rank-1 lattices of samples on a face of a small sphere or tube. Measured on parts of lit spheres: the RMS error
-/// of the mean of n samples is 0.6 to 1 of their standard deviation, divided by n.
-struct RoundLattice
-{
-  int Count, Generator;
-};
-constexpr RoundLattice RoundLattices[] = { { 16, 7 }, { 64, 27 }, { 256, 75 } };
 /// Assumed variation of color on a piece of surface with only one sample.
 constexpr float UnknownVariation = 0.25f;
 /// RMS error of the mean of four corners relative to their contrast, over all straight edges

@@ -108,7 +108,7 @@ public:
   const CameraRayTracer& Tracer;
   const CornerGrid& Grid;
   const IntegrationSettings Settings;
-  RayCounts Rays;
+  mutable RayCounts Rays; ///< those that only choose a method included
   PixelCounts Pixels;
 
   glm::ivec2 Position{ 0 };

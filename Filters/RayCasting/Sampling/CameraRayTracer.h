@@ -151,6 +151,7 @@ public:
   const Camera& GetCamera() const { return this->ViewCamera; }
   const RayScene& GetRays() const { return this->Rays; }
   bool HasTranslucentSurfaces() const { return this->Translucent; }
+  bool HasTextures() const { return this->Textured; }
   /// Returns true if surfaces behind translucent ones may have textures.
   bool HasTexturesBehind() const { return this->Translucent && this->Textured; }
 

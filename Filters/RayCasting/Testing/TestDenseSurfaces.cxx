@@ -175,6 +175,49 @@ TEST(ColorsInsidePixels, AreFoundInTexturesBehindTranslucentSurfaces)
   ExpectAccurateTiles(renderer, 16);
 }
 
+TEST(ColorsInsidePixels, AreFoundInTexturesOfStripsBehindATranslucentSurface)
+{
+  // Strips as wide as a pixel, black on one side and white on the other: most are seen by one corner only.
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 1, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  image->SetScalarComponentFromDouble(0, 0, 0, 0, 0.0);
+  image->SetScalarComponentFromDouble(1, 0, 0, 0, 255.0);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+  for (int i = 0; i < Size / 2; ++i)
+  {
+    const double x = 2.0 * i + 0.37;
+    vtkNew<vtkPlaneSource> strip;
+    strip->SetOrigin(x, 0.0, 0.0);
+    strip->SetPoint1(x + 1.0, 0.0, 0.0);
+    strip->SetPoint2(x + 3.0, Size, 0.0);
+    strip->Update();
+    AddMesh(renderer, strip->GetOutput(), false)->SetTexture(texture);
+  }
+  AddMesh(renderer, MakePlane(1, 1.0), false)->GetProperty()->SetOpacity(0.3);
+  LookAtImage(renderer, Size, Size);
+  ExpectAccurateTiles(renderer, 16);
+}
+
+TEST(ColorsInsidePixels, AreFoundAtAConeSmallerThanAPixel)
+{
+  vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+  AddMesh(renderer, MakePlane(1, 0.0), false)->GetProperty()->LightingOn();
+  LookAtImage(renderer, Size, Size);
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->PositionalOn();
+  light->SetPosition(30.6, 30.4, 10.0);
+  light->SetFocalPoint(30.6, 30.4, 0.0);
+  light->SetConeAngle(2.4); // a radius of 0.42 pixels
+  light->SetIntensity(20.0);
+  renderer->RemoveAllLights();
+  renderer->AddLight(light);
+  ExpectAccurateTiles(renderer, 32);
+}
+
 TEST(ColorsInsidePixels, AreFoundAtTheConesOfSpotlights)
 {
   for (const double trianglesPerPixel : { 0.05, 3.0 }) // exact areas of faces, rasterized samples

@@ -21,6 +21,8 @@ namespace
 constexpr int PacketSize = OcclusionRays::PacketSize;
 constexpr int CellsOfBlock = DirectionBlockSide * DirectionBlockSide;
 constexpr int FirstRaysOfHalf = FirstSiteRays / Halves;
+static_assert(CellsOfBlock * FirstRaysOfHalf <= MaximumSiteRays,
+  "the points of the first round precede those of later ones");
 
 /// Number of parts of the unit square, on each side, by which the rays of a block are sorted: rays of a
 /// packet then have similar directions.

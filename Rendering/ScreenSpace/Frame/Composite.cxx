@@ -54,7 +54,7 @@ bool Composite::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
     this->DrawStage.BindTexture("eyeDepths", depth.GetCurrent());
   }
   this->DrawStage.BindTexture("occlusions", occlusions ? occlusions : depth.GetCurrent());
-  this->DrawStage.DrawSamples(program, image.GetSamples());
+  many ? this->DrawStage.DrawSamples(program) : this->DrawStage.Draw();
   return true;
 }
 

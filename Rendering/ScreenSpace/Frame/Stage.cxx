@@ -240,22 +240,29 @@ void Stage::Draw(const std::vector<Rectangle>& parts)
   this->Unbind();
 }
 
-void Stage::DrawSamples(vtkShaderProgram* program, int count)
+void Stage::DrawSamples(vtkShaderProgram* program)
 {
-  if (count <= 1)
-  {
-    this->Draw();
-    return;
-  }
+  // The driver may have rounded the number of samples up.
+  GLint count = 0;
+  glGetIntegerv(GL_SAMPLES, &count);
+  vtkOpenGLState* state = this->Window->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable multisample(state, GL_MULTISAMPLE);
+  state->vtkglEnable(GL_MULTISAMPLE); // without it, the mask has no effect
+  const bool wasMasked = glIsEnabled(GL_SAMPLE_MASK) == GL_TRUE;
+  GLint mask = 0;
+  glGetIntegeri_v(GL_SAMPLE_MASK_VALUE, 0, &mask);
   glEnable(GL_SAMPLE_MASK);
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < std::max(count, 1); ++i)
   {
     glSampleMaski(0, 1u << i);
     program->SetUniformi("sampleIndex", i);
     this->Quad->Render();
   }
-  glSampleMaski(0, ~0u);
-  glDisable(GL_SAMPLE_MASK);
+  glSampleMaski(0, static_cast<GLbitfield>(mask));
+  if (!wasMasked)
+  {
+    glDisable(GL_SAMPLE_MASK);
+  }
   this->Unbind();
 }
 

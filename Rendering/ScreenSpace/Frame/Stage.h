@@ -76,9 +76,9 @@ public:
   void Draw();
   void Draw(const std::vector<Rectangle>& parts);
 
-  /// Draws each of `count` samples of the pixels of the bound framebuffer, whose number is the uniform
+  /// Draws each sample of the pixels of the bound framebuffer by itself; its number is the uniform
   /// sampleIndex of the program.
-  void DrawSamples(vtkShaderProgram* program, int count);
+  void DrawSamples(vtkShaderProgram* program);
 
   /// Draws and counts the pixels that were not discarded. Waits for the graphics card.
   unsigned int DrawAndCount();

@@ -398,7 +398,7 @@ bool ShaftViewState::Composite()
     {
       this->Composition.BindTexture("eyeDepths", this->Depth.GetCurrent());
     }
-    this->Composition.DrawSamples(program, this->Image.GetSamples());
+    many ? this->Composition.DrawSamples(program) : this->Composition.Draw();
   };
   if (!this->Settings.IsColored())
   {
