@@ -150,6 +150,13 @@ bool SeeDifferentTexels(
   return false;
 }
 
+bool SeeDifferentTexels(const PixelContext& pixel, const std::array<std::vector<Hit>, 4>& hits)
+{
+  return std::any_of(std::begin(SidesOfPixel), std::end(SidesOfPixel), [&](const auto& side) {
+    return SeeDifferentTexels(pixel.GetSurfaces(), hits[side.first], hits[side.second]);
+  });
+}
+
 /// Returns true if a texture may change abruptly within the pixel, so that colors may change without an edge of the
 /// mesh: corners lie in different texels of it. `hasEdges`: edges of the mesh cross the pixel.
 bool IsTextureDiscontinuous(const PixelContext& pixel, bool hasEdges)
@@ -158,20 +165,34 @@ bool IsTextureDiscontinuous(const PixelContext& pixel, bool hasEdges)
   {
     return false;
   }
-  const bool hasLayers = pixel.Tracer.HasTexturesBehind();
   std::array<std::vector<Hit>, 4> hits;
   std::array<Ray, 4> rays;
   for (int i = 0; i < 4; ++i)
   {
     rays[i] = pixel.Tracer.MakeRay(pixel.GetOrigin() + GetCornerOffset(i));
-    hits[i] = hasLayers ? TraceHits(pixel, i, rays[i]) : std::vector{ pixel.Corners[i].FirstHit };
+    hits[i] = { pixel.Corners[i].FirstHit };
   }
-  for (const auto& [a, b] : SidesOfPixel)
+  if (SeeDifferentTexels(pixel, hits))
   {
-    if (SeeDifferentTexels(pixel.GetSurfaces(), hits[a], hits[b]))
+    return true;
+  }
+  bool hasLayers = false;
+  for (int i = 0; i < 4 && pixel.Tracer.HasTexturesBehind(); ++i)
+  {
+    hits[i] = TraceHits(pixel, i, rays[i]);
+    hasLayers = hasLayers || hits[i].size() > 1;
+    // Without edges, all corners see the same layers.
+    const auto isTextured = [&](const Hit& hit) {
+      return hit.IsHit() && HasTextures(pixel.GetSurfaces()[hit.Surface]);
+    };
+    if (!hasEdges && std::none_of(hits[i].begin() + 1, hits[i].end(), isTextured))
     {
-      return true;
+      break;
     }
+  }
+  if (hasLayers && SeeDifferentTexels(pixel, hits))
+  {
+    return true;
   }
   const bool mayDiffer = hasEdges && (hasLayers || !pixel.CornersAgree());
   return mayDiffer && std::any_of(hits.begin(), hits.end(), [&](const std::vector<Hit>& layers) {

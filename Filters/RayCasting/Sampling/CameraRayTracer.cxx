@@ -45,6 +45,12 @@ std::uint32_t FindLightSample(glm::dvec2 p)
 
 const float CameraRayTracer::OpaqueAlpha = 1.f - OpaqueTransmittance;
 
+bool HasTextures(const Surface& surface)
+{
+  return surface.ColorTexture || surface.LitTexture || surface.BaseColorTexture ||
+    surface.DetailTextures;
+}
+
 CameraRayTracer::CameraRayTracer(const RayScene& rays, const Shading& shading, const Camera& camera)
   : Rays(rays),
     SurfaceShading(shading),
@@ -53,10 +59,7 @@ CameraRayTracer::CameraRayTracer(const RayScene& rays, const Shading& shading, c
   const std::vector<Surface>& surfaces = rays.GetSurfaces();
   this->Translucent = std::any_of(surfaces.begin(), surfaces.end(),
     [](const Surface& surface) { return surface.IsTranslucent(); });
-  this->Textured = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& surface) {
-    return surface.ColorTexture || surface.LitTexture || surface.BaseColorTexture ||
-      surface.DetailTextures;
-  });
+  this->Textured = std::any_of(surfaces.begin(), surfaces.end(), penumbra::HasTextures);
   this->Kinds = LayerOrder::FindKinds(surfaces);
 }
 

@@ -51,6 +51,9 @@ struct LitLayer
   glm::vec3 Reflectance{ 0.f }; ///< color that indirect light adds to the ray: 1 on a white surface
 };
 
+/// Returns true if colors of the surface come from textures.
+bool HasTextures(const Surface& surface);
+
 /// Computes the color of image points. All methods but the setters may be called from any thread.
 class VTKPENUMBRAFILTERSRAYCASTING_EXPORT CameraRayTracer
 {
