@@ -236,9 +236,9 @@ void DeclareRedundant(const CommandLine& app, RenderOptions& options)
   app.AddIgnored("--point-sprites", options.PointSprites);
   // The tolerance decides.
   const auto checkSamples = [](const std::string& text) {
-    ParseInteger("--raytracing-samples", text, 1, 1000000000);
+    ParseInteger("--samples", text, 1, 1000000000);
   };
-  app.AddParsed("--raytracing-samples,--samples", checkSamples, "");
+  app.AddParsed("--samples,--raytracing-samples", checkSamples, "");
 }
 
 }

@@ -60,22 +60,6 @@ std::string FindSimilar(const std::vector<std::string>& names, const std::string
   return best == names.end() || rank(*best) == std::string::npos ? std::string() : *best;
 }
 
-/// Returns what an unknown option of `command` may mean, or "".
-std::string FindSimilarOption(const CLI::App& command, const std::string& option)
-{
-  std::vector<std::string> names;
-  for (const CLI::Option* known : command.get_options())
-  {
-    if (!known->get_group().empty()) // hidden otherwise
-    {
-      names.insert(names.end(), known->get_lnames().begin(), known->get_lnames().end());
-    }
-  }
-  const bool isLong = option.rfind("--", 0) == 0;
-  const std::string similar = isLong ? FindSimilar(names, option.substr(2)) : "";
-  return similar.empty() ? "" : "--" + similar;
-}
-
 /// Returns what an unknown subcommand may mean, or "".
 std::string FindSimilarSubcommand(const CLI::App& program, const std::string& word)
 {
@@ -108,6 +92,31 @@ std::string FindHiddenOption(const CLI::App& command, const std::vector<std::str
     }
   }
   return "";
+}
+
+/// Returns the subcommand that the arguments begin with, or nullptr.
+const CLI::App* FindSubcommand(const CLI::App& program, const std::vector<std::string>& arguments)
+{
+  const auto subcommands = program.get_subcommands([](const CLI::App*) { return true; });
+  const auto chosen = std::find_if(subcommands.begin(), subcommands.end(),
+    [&](const CLI::App* app) { return !arguments.empty() && app->get_name() == arguments[0]; });
+  return chosen == subcommands.end() ? nullptr : *chosen;
+}
+
+/// Makes two arguments of --NAME= where CLI11 would take the next argument as the value.
+void SeparateEmptyValues(const CLI::App& command, std::vector<std::string>& arguments)
+{
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+  {
+    const std::string name = arguments[i].substr(0, arguments[i].find('='));
+    const bool isEmpty = name.rfind("--", 0) == 0 && arguments[i].size() == name.size() + 1;
+    const CLI::Option* option = isEmpty ? command.get_option_no_throw(name) : nullptr;
+    if (option && option->get_items_expected_max() > 0)
+    {
+      arguments[i] = name;
+      arguments.insert(arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::string());
+    }
+  }
 }
 
 // Converts an error of CLI11 to one line; unknown options and subcommands are named.
@@ -155,6 +164,21 @@ std::string DescribeError(
   return (isUnnamed ? FindHiddenOption(*chosen.front(), arguments) : "") + error.what() + hint;
 }
 
+}
+
+std::string FindSimilarOption(const CLI::App& command, const std::string& option)
+{
+  std::vector<std::string> names;
+  for (const CLI::Option* known : command.get_options())
+  {
+    if (!known->get_group().empty()) // hidden otherwise
+    {
+      names.insert(names.end(), known->get_lnames().begin(), known->get_lnames().end());
+    }
+  }
+  const bool isLong = option.rfind("--", 0) == 0;
+  const std::string similar = isLong ? FindSimilar(names, option.substr(2)) : "";
+  return similar.empty() ? "" : "--" + similar;
 }
 
 Option Option::TypeName(const std::string& name) const
@@ -302,7 +326,11 @@ std::string Parser::Parse(int argc, char** argv) const
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
   try
   {
-    InsertConfiguration(*this->Implementation, arguments);
+    if (const CLI::App* command = FindSubcommand(*this->Implementation, arguments))
+    {
+      InsertConfiguration(*command, arguments);
+      SeparateEmptyValues(*command, arguments);
+    }
     // The order that CLI11 expects.
     this->Implementation->parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   }

@@ -123,6 +123,9 @@ private:
   CLI::App* Implementation;
 };
 
+/// Returns the visible option of `command` that the unknown `option` may mean, both with dashes; or "".
+std::string FindSimilarOption(const CLI::App& command, const std::string& option);
+
 /// Parses a command line that consists of a subcommand and its options.
 class Parser
 {

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ConfigurationFile.h"
 
+#include "CommandLine.h"
 #include "Files/InputFiles.h"
 #include "Files/JsonObject.h"
 #include "Processes/CommandError.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -21,47 +21,6 @@ namespace
 {
 
 using Arguments = std::vector<std::string>;
-
-/// Returns the number of insertions, deletions and replacements between two texts.
-std::size_t ComputeDistance(const std::string& a, const std::string& b)
-{
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j)
-  {
-    row[j] = j;
-  }
-  for (std::size_t i = 1; i <= a.size(); ++i)
-  {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j)
-    {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({ row[j] + 1, row[j - 1] + 1, replaced });
-    }
-  }
-  return row[b.size()];
-}
-
-std::string FindNearestName(const CLI::App& app, const std::string& name)
-{
-  std::string nearest;
-  std::size_t least = std::string::npos;
-  for (const CLI::Option* option : app.get_options())
-  {
-    for (const std::string& candidate : option->get_lnames())
-    {
-      const std::size_t distance = ComputeDistance(name, candidate);
-      if (distance < least)
-      {
-        least = distance;
-        nearest = candidate;
-      }
-    }
-  }
-  return nearest;
-}
 
 /// Returns the path of --config; empty: the option is not given.
 std::string FindPath(const Arguments& arguments)
@@ -126,12 +85,9 @@ std::vector<JsonOption> ReadOptions(const std::string& path, const std::string& 
 
 }
 
-void InsertConfiguration(const CLI::App& program, Arguments& arguments)
+void InsertConfiguration(const CLI::App& command, Arguments& arguments)
 {
-  const auto subcommands = program.get_subcommands([](const CLI::App*) { return true; });
-  const auto chosen = std::find_if(subcommands.begin(), subcommands.end(),
-    [&](const CLI::App* app) { return !arguments.empty() && app->get_name() == arguments[0]; });
-  if (chosen == subcommands.end() || !(*chosen)->get_option_no_throw(ConfigurationOption))
+  if (!command.get_option_no_throw(ConfigurationOption))
   {
     return;
   }
@@ -140,19 +96,20 @@ void InsertConfiguration(const CLI::App& program, Arguments& arguments)
   {
     return;
   }
-  const CLI::App& app = **chosen;
   const std::string prefix = std::string(ConfigurationOption) + " " + path + ": ";
-  const std::set<const CLI::Option*> given = FindGivenOptions(app, arguments);
+  const std::set<const CLI::Option*> given = FindGivenOptions(command, arguments);
   Arguments inserted;
   for (const auto& [name, values] : ReadOptions(path, prefix))
   {
     const std::string longName = "--" + name;
-    const CLI::Option* option = app.get_option_no_throw(longName);
+    const CLI::Option* option = command.get_option_no_throw(longName);
     if (!option || longName == ConfigurationOption || longName == "--help")
     {
+      const std::string similar = option ? "" : FindSimilarOption(command, longName);
       throw CommandError(BadInput,
-        prefix + "'" + name + "' is not an option of this file; the nearest name is '" +
-          FindNearestName(app, name) + "'");
+        prefix + "'" + name + "' is not an option of this file; " +
+          (similar.empty() ? "see `penumbra " + command.get_name() + " --help`"
+                           : "the nearest name is '" + similar.substr(2) + "'"));
     }
     if (given.count(option) > 0)
     {

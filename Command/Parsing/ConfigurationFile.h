@@ -19,10 +19,10 @@ namespace penumbra
 /// Name of the option with the path of the file.
 constexpr const char* ConfigurationOption = "--config";
 
-/// If the arguments of a subcommand of `program` contain --config, inserts the options of that file
+/// If the arguments of the subcommand `command` contain --config, inserts the options of that file
 /// which the arguments do not contain. Throws CommandError if the file cannot be read or has an
 /// unknown option.
-void InsertConfiguration(const CLI::App& program, std::vector<std::string>& arguments);
+void InsertConfiguration(const CLI::App& command, std::vector<std::string>& arguments);
 
 }
 #endif

@@ -161,6 +161,22 @@ TEST(Configuration, YieldsToTheCommandLine)
     { "-e", "--background-color", "1,1,0", "--light-position", "0,0,1,0" });
 }
 
+// CLI11 takes the next argument as the value of --NAME=, here the one in front of the file.
+TEST(Configuration, EmptyValuesAreValues)
+{
+  const Folder folder("empty");
+  WriteText(folder / "empty.json", "{ \"text\": \"\", \"scalar-bar-title\": \"\" }");
+  const std::vector<std::string> expected = { "--bar", "--coloring-array", "Height", "--text", "",
+    "--scalar-bar-title", "" };
+  ExpectEqual(
+    folder, { "--config", folder / "empty.json", "--bar", "--coloring-array", "Height" }, expected);
+  ExpectEqual(
+    folder, { "--bar", "--text=", "--scalar-bar-title=", "--coloring-array", "Height" }, expected);
+  const ProgramResult outcome = Render(folder, "a.png", { "--tolerance=" });
+  EXPECT_EQ(outcome.Status, 2);
+  EXPECT_NE(outcome.Errors.find("--tolerance: ''"), std::string::npos) << outcome.Errors;
+}
+
 TEST(Configuration, ErrorsNameTheFileAndTheOption)
 {
   const Folder folder("errors");
@@ -173,6 +189,7 @@ TEST(Configuration, ErrorsNameTheFileAndTheOption)
   };
   expect("{ \"backgroundcolor\": [0, 0, 0] }", "the nearest name is 'background-color'");
   expect("{ \"backgroundcolor\": [0, 0, 0] }", "bad.json");
+  expect("{ \"qqqqqq\": 1 }", "see `penumbra render --help`");
   expect("{ \"tolerance\": -1 }", "--tolerance");
   expect("{ \"show-edges\": 3 }", "'show-edges' must be true or false");
   expect("{ \"resolution\": { \"w\": 3 } }", "'resolution' is neither");
