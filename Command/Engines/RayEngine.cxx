@@ -100,10 +100,7 @@ vtkSmartPointer<vtkImageData> ReadDensity(const std::string& path)
 {
   std::vector<std::string> warnings;
   const vtkSmartPointer<vtkDataObject> data = ReadFile(path, std::nullopt, warnings);
-  for (std::string& warning : warnings)
-  {
-    warning.insert(0, path + ": ");
-  }
+  NameFile(path, warnings);
   PrintWarnings(warnings);
   const std::string invalid = vtkPenumbraMedium::FindInvalidDensity(data);
   if (!invalid.empty())

@@ -16,6 +16,14 @@
 namespace penumbra
 {
 
+void NameFile(const std::string& path, std::vector<std::string>& warnings)
+{
+  for (std::string& warning : warnings)
+  {
+    warning.insert(0, path + ": ");
+  }
+}
+
 void PrintWarnings(const std::vector<std::string>& warnings)
 {
   std::string line;

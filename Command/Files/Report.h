@@ -15,6 +15,9 @@ class vtkFieldData;
 namespace penumbra
 {
 
+/// Puts the name of a file before each warning.
+void NameFile(const std::string& path, std::vector<std::string>& warnings);
+
 /// Prints all warnings in one line; nothing if there are none.
 void PrintWarnings(const std::vector<std::string>& warnings);
 

@@ -5,6 +5,7 @@
 #include "DataSetValidation.h"
 #include "FileSeries.h"
 #include "Files/InputFiles.h"
+#include "Files/Report.h"
 #include "Geometry/CurvedCells.h"
 #include "GridOffset.h"
 #include "Processes/CommandError.h"
@@ -317,10 +318,7 @@ Surfaces ReadSurfaces(const std::string& path, const InputOptions& options)
             "precision";
     surfaces.Warnings.push_back(text.str());
   }
-  for (std::string& warning : surfaces.Warnings)
-  {
-    warning = path + ": " + warning;
-  }
+  NameFile(path, surfaces.Warnings);
   if (surfaces.Meshes.empty() && surfaces.DroppedPoints > 0)
   {
     throw CommandError(
