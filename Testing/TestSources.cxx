@@ -60,7 +60,6 @@ const std::map<std::string, int> LongFiles = {
   { "Filters/RayTracing/Shading/Shading.h", 168 },
   { "Filters/Scene/Surface.h", 296 },
   { "Rendering/ScreenSpace/Frame/ScreenSpaceConstants.h", 170 },
-  { "Rendering/ScreenSpace/Shafts/ShaftViewState.cxx", 532 },
 };
 
 TEST(Sources, AreNotLongerThanTheStylePageAsksFor)

@@ -3,14 +3,12 @@
 #include "Composite.h"
 
 #include "OpenGLFunctions.h"
+#include "SceneShader.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraApplyOcclusionLib.h"
 #include "vtkPenumbraCompositeFS.h"
-#include "vtkPenumbraSceneSampleLib.h"
-#include "vtkPenumbraSceneSamplesLib.h"
-#include "vtkPenumbraViewLib.h"
 #include "vtkShaderProgram.h"
 
 namespace penumbra
@@ -20,15 +18,9 @@ bool Composite::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   const EyeDepth& depth, vtkTextureObject* colors, vtkTextureObject* occlusions,
   const Darkening& darkening, bool background)
 {
-  const auto assemble = [](const char* sample) {
-    return Assemble(vtkPenumbraCompositeFS,
-      { { "ViewLib", vtkPenumbraViewLib }, { "SceneSample", sample },
-        { "ApplyOcclusionLib", vtkPenumbraApplyOcclusionLib } });
-  };
-  static const std::string oneSample = assemble(vtkPenumbraSceneSampleLib);
-  static const std::string manySamples = assemble(vtkPenumbraSceneSamplesLib);
-  const bool many = image.GetSamples() > 1;
-  vtkShaderProgram* program = this->DrawStage.Ready(window, many ? manySamples : oneSample);
+  static const SceneShader shader(
+    vtkPenumbraCompositeFS, { { "ApplyOcclusionLib", vtkPenumbraApplyOcclusionLib } });
+  vtkShaderProgram* program = shader.Ready(this->DrawStage, window, image);
   if (!program)
   {
     return false;
@@ -47,14 +39,8 @@ bool Composite::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   program->SetUniformf("strength", static_cast<float>(darkening.Strength));
   program->SetUniformf("lightAwareness", static_cast<float>(darkening.LightAwareness));
   program->SetUniformf("background", background ? 1.f : 0.f);
-  this->DrawStage.BindTexture("colors", colors);
-  this->DrawStage.BindTexture(many ? "depthSamples" : "depthBuffer", image.GetSampleDepth());
-  if (many)
-  {
-    this->DrawStage.BindTexture("eyeDepths", depth.GetCurrent());
-  }
   this->DrawStage.BindTexture("occlusions", occlusions ? occlusions : depth.GetCurrent());
-  many ? this->DrawStage.DrawSamples(program) : this->DrawStage.Draw();
+  SceneShader::Draw(this->DrawStage, program, image, depth, colors);
   return true;
 }
 

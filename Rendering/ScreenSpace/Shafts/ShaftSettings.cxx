@@ -111,4 +111,15 @@ void ShaftSettings::SetMedium(vtkShaderProgram* program, const ScreenTransform& 
   }
 }
 
+void ShaftSettings::SetExtinctionRatios(vtkShaderProgram* program) const
+{
+  const double reference = std::max(this->Channels[this->GetReferenceChannel()].Extinction, 1e-300);
+  float ratios[3];
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    ratios[i] = static_cast<float>(this->Channels[i].Extinction / reference);
+  }
+  program->SetUniform3f("extinctionRatios", ratios);
+}
+
 }

@@ -57,6 +57,9 @@ struct ShaftSettings
 
   /// Sets the uniforms of the medium for the camera of `view`.
   void SetMedium(vtkShaderProgram* program, const ScreenTransform& view) const;
+
+  /// Sets the extinction of each channel relative to that of the most transparent one.
+  void SetExtinctionRatios(vtkShaderProgram* program) const;
 };
 
 }

@@ -3,6 +3,7 @@
 #include "ShaftViewState.h"
 
 #include "Frame/OpenGLFunctions.h"
+#include "Frame/SceneShader.h"
 #include "Frame/Uniforms.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -10,8 +11,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraPhaseFunctions.h"
-#include "vtkPenumbraSceneSampleLib.h"
-#include "vtkPenumbraSceneSamplesLib.h"
 #include "vtkPenumbraShaftBlendFS.h"
 #include "vtkPenumbraShaftBoundedLib.h"
 #include "vtkPenumbraShaftCompositeFS.h"
@@ -367,17 +366,11 @@ std::array<float, 2> ShaftViewState::GetOffset() const
 
 bool ShaftViewState::Composite()
 {
-  const auto assemble = [](const char* sample) {
-    return Assemble(vtkPenumbraShaftCompositeFS,
-      { { "ViewLib", vtkPenumbraViewLib }, { "SceneSample", sample } });
-  };
-  static const std::string oneSample = assemble(vtkPenumbraSceneSampleLib);
-  static const std::string manySamples = assemble(vtkPenumbraSceneSamplesLib);
-  const bool many = this->Image.GetSamples() > 1;
+  static const SceneShader shader(vtkPenumbraShaftCompositeFS, {});
   vtkShaderProgram* program = nullptr;
   if (this->FillShafts())
   {
-    program = this->Composition.Ready(this->Window, many ? manySamples : oneSample);
+    program = shader.Ready(this->Composition, this->Window, this->Image);
   }
   if (!program)
   {
@@ -390,15 +383,8 @@ bool ShaftViewState::Composite()
   SetNumber(program, "background", this->Settings.DelegateDrawsBackground ? 1.0 : 0.0);
   const auto draw = [&](int part) {
     program->SetUniformi("part", part);
-    this->Composition.BindTexture("colors", this->Image.GetColor());
-    this->Composition.BindTexture(
-      many ? "depthSamples" : "depthBuffer", this->Image.GetSampleDepth());
     this->Composition.BindTexture("shafts", this->Shafts);
-    if (many)
-    {
-      this->Composition.BindTexture("eyeDepths", this->Depth.GetCurrent());
-    }
-    many ? this->Composition.DrawSamples(program) : this->Composition.Draw();
+    SceneShader::Draw(this->Composition, program, this->Image, this->Depth, this->Image.GetColor());
   };
   if (!this->Settings.IsColored())
   {
@@ -406,15 +392,7 @@ bool ShaftViewState::Composite()
     return true;
   }
   // Each channel of the target has its own transmittance: it is multiplied first.
-  const std::array<MediumCoefficients, 3>& channels = this->Settings.Channels;
-  const double reference =
-    std::max(channels[this->Settings.GetReferenceChannel()].Extinction, 1e-300);
-  float ratios[3];
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    ratios[i] = static_cast<float>(channels[i].Extinction / reference);
-  }
-  program->SetUniform3f("extinctionRatios", ratios);
+  this->Settings.SetExtinctionRatios(program);
   vtkOpenGLState* gl = this->Window->GetState();
   gl->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_SRC_ALPHA);
   draw(1);
