@@ -105,15 +105,17 @@ bool IsDiscontinuousInPlane(
   });
 }
 
-/// Returns the hits of a corner, up to the first opaque surface.
-std::vector<Hit> TraceHits(const PixelContext& pixel, int corner, Ray ray)
+/// Stores the hits of a corner, up to the first opaque surface, in the layers of the pixel.
+void TraceLayers(const PixelContext& pixel, int corner, Ray ray)
 {
   const Sample& sample = pixel.Corners[corner];
-  std::vector<Hit> hits{ sample.FirstHit };
+  std::vector<Hit>& hits = pixel.Layers[corner];
+  hits.assign(1, sample.FirstHit);
   if (!(sample.FirstHit.Distance < sample.OpaqueDepth))
   {
-    return hits;
+    return;
   }
+  // Corners are stored without what continues a ray behind their hit.
   Hit hit = pixel.Tracer.GetRays().Intersect(ray);
   ++pixel.Rays.Refinement;
   while (hit.IsHit() && hit.Distance < sample.OpaqueDepth && hits.size() <= MaximumTexturedLayers)
@@ -123,7 +125,6 @@ std::vector<Hit> TraceHits(const PixelContext& pixel, int corner, Ray ray)
     ++pixel.Rays.Refinement;
     hits.push_back(hit);
   }
-  return hits;
 }
 
 /// Corners at the ends of the sides of a pixel.
@@ -150,11 +151,33 @@ bool SeeDifferentTexels(
   return false;
 }
 
-bool SeeDifferentTexels(const PixelContext& pixel, const std::array<std::vector<Hit>, 4>& hits)
+/// Returns true if corners at the ends of a side see different texels among the layers of the pixel.
+bool SeeDifferentTexels(const PixelContext& pixel)
 {
   return std::any_of(std::begin(SidesOfPixel), std::end(SidesOfPixel), [&](const auto& side) {
-    return SeeDifferentTexels(pixel.GetSurfaces(), hits[side.first], hits[side.second]);
+    return SeeDifferentTexels(
+      pixel.GetSurfaces(), pixel.Layers[side.first], pixel.Layers[side.second]);
   });
+}
+
+/// Adds the layers of the corners in which textures may differ. Returns true if there are any behind the first hits.
+bool TraceTexturedLayers(const PixelContext& pixel, const std::array<Ray, 4>& rays, bool hasEdges)
+{
+  bool hasLayers = false;
+  for (int i = 0; i < 4; ++i)
+  {
+    TraceLayers(pixel, i, rays[i]);
+    hasLayers = hasLayers || pixel.Layers[i].size() > 1;
+    // Without edges, all corners see the same layers.
+    const auto isTextured = [&](const Hit& hit) {
+      return hit.IsHit() && HasTextures(pixel.GetSurfaces()[hit.Surface]);
+    };
+    if (!hasEdges && std::none_of(pixel.Layers[i].begin() + 1, pixel.Layers[i].end(), isTextured))
+    {
+      break;
+    }
+  }
+  return hasLayers;
 }
 
 /// Returns true if a texture may change abruptly within the pixel, so that colors may change without an edge of the
@@ -165,38 +188,34 @@ bool IsTextureDiscontinuous(const PixelContext& pixel, bool hasEdges)
   {
     return false;
   }
-  std::array<std::vector<Hit>, 4> hits;
+  std::array<std::vector<Hit>, 4>& layers = pixel.Layers;
+  for (int i = 0; i < 4; ++i)
+  {
+    layers[i].assign(1, pixel.Corners[i].FirstHit);
+  }
+  if (SeeDifferentTexels(pixel))
+  {
+    return true;
+  }
+  const bool isDifferentSurface = hasEdges && !pixel.CornersAgree();
+  if (!isDifferentSurface && !pixel.Tracer.HasTexturesBehind())
+  {
+    return false;
+  }
   std::array<Ray, 4> rays;
   for (int i = 0; i < 4; ++i)
   {
     rays[i] = pixel.Tracer.MakeRay(pixel.GetOrigin() + GetCornerOffset(i));
-    hits[i] = { pixel.Corners[i].FirstHit };
   }
-  if (SeeDifferentTexels(pixel, hits))
+  const bool hasLayers =
+    pixel.Tracer.HasTexturesBehind() && TraceTexturedLayers(pixel, rays, hasEdges);
+  if (hasLayers && SeeDifferentTexels(pixel))
   {
     return true;
   }
-  bool hasLayers = false;
-  for (int i = 0; i < 4 && pixel.Tracer.HasTexturesBehind(); ++i)
-  {
-    hits[i] = TraceHits(pixel, i, rays[i]);
-    hasLayers = hasLayers || hits[i].size() > 1;
-    // Without edges, all corners see the same layers.
-    const auto isTextured = [&](const Hit& hit) {
-      return hit.IsHit() && HasTextures(pixel.GetSurfaces()[hit.Surface]);
-    };
-    if (!hasEdges && std::none_of(hits[i].begin() + 1, hits[i].end(), isTextured))
-    {
-      break;
-    }
-  }
-  if (hasLayers && SeeDifferentTexels(pixel, hits))
-  {
-    return true;
-  }
-  const bool mayDiffer = hasEdges && (hasLayers || !pixel.CornersAgree());
-  return mayDiffer && std::any_of(hits.begin(), hits.end(), [&](const std::vector<Hit>& layers) {
-    return std::any_of(layers.begin(), layers.end(),
+  const bool mayDiffer = isDifferentSurface || (hasEdges && hasLayers);
+  return mayDiffer && std::any_of(layers.begin(), layers.end(), [&](const std::vector<Hit>& hits) {
+    return std::any_of(hits.begin(), hits.end(),
       [&](const Hit& hit) { return hit.IsHit() && IsDiscontinuousInPlane(pixel, hit, rays); });
   });
 }

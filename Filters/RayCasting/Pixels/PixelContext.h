@@ -9,6 +9,7 @@
 #include "Sampling/CornerGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -109,6 +110,8 @@ public:
   const CornerGrid& Grid;
   const IntegrationSettings Settings;
   mutable RayCounts Rays; ///< those that only choose a method included
+  /// Hits through each corner, front to back: memory that the choice of a method reuses in each pixel.
+  mutable std::array<std::vector<Hit>, 4> Layers;
   PixelCounts Pixels;
 
   glm::ivec2 Position{ 0 };
