@@ -81,7 +81,7 @@ void WriteBakings(const std::string& path, vtkPolyData* baked, vtkPolyData* othe
   vtkDataArray* one = baked->GetPointData()->GetArray("AmbientOcclusion");
   vtkDataArray* two = other->GetPointData()->GetArray("AmbientOcclusion");
   vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(1.0, 1.0, 1.0);
+  renderer->SetBackground(0.62, 0.68, 0.74);
   Add(renderer, baked, 0.0, [&](vtkIdType i) { return glm::dvec3(1.0 - one->GetComponent(i, 0)); });
   Add(
     renderer, other, 1.05, [&](vtkIdType i) { return glm::dvec3(1.0 - two->GetComponent(i, 0)); });
@@ -91,7 +91,8 @@ void WriteBakings(const std::string& path, vtkPolyData* baked, vtkPolyData* othe
     return more > 0.0 ? glm::dvec3(.9, .9 * rest, .9 * rest) : glm::dvec3(.9 * rest, .9 * rest, .9);
   });
   renderer->ResetCamera();
-  renderer->GetActiveCamera()->Azimuth(180.0); // armadillo.off faces -z
+  renderer->GetActiveCamera()->Azimuth(180.0);         // armadillo.off faces -z
+  renderer->GetActiveCamera()->ParallelProjectionOn(); // so that all three look the same
   renderer->GetActiveCamera()->Zoom(2.2);
 
   vtkNew<vtkPenumbraRayCaster> caster;

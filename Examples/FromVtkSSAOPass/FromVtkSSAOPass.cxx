@@ -109,7 +109,7 @@ int main(int argc, char* argv[])
   for (auto* addPass : { AddVTKPass, AddPenumbraPass })
   {
     vtkNew<vtkRenderer> renderer;
-    renderer->SetBackground(1.0, 1.0, 1.0);
+    renderer->SetBackground(0.62, 0.68, 0.74);
     AddScene(renderer, argc > 2 ? argv[2] : nullptr);
     addPass(renderer);
     vtkNew<vtkRenderWindow> window;

@@ -57,7 +57,7 @@ void AddScene(vtkRenderer* renderer)
     source->SetPhiResolution(96);
     Add(renderer, source);
   }
-  renderer->SetBackground(1.0, 1.0, 1.0);
+  renderer->SetBackground(0.62, 0.68, 0.74);
 }
 
 void SetCamera(vtkRenderer* renderer, double x, double y, double z)

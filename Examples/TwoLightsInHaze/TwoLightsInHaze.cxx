@@ -72,7 +72,7 @@ int main(int argc, char* argv[])
   {
     renderer->GetActiveCamera()->SetPosition(0.0, 8.0, 11.0);
     renderer->GetActiveCamera()->ParallelProjectionOn();
-    renderer->GetActiveCamera()->SetParallelScale(4.0);
+    renderer->GetActiveCamera()->SetParallelScale(3.4);
   }
 
   AddDirectionalLight(renderer, -0.22, 0.12, -1.0, 1.0, 0.6, 0.25);
