@@ -5,7 +5,7 @@
 // the ray caster, with a progress bar that cancels.
 //
 // With `--images FOLDER` the program waits until the window has converged, saves it and the image
-// there, and ends. The test uses this mode.
+// there, cancels a second image, and ends. The test uses this mode.
 #include "vtkPenumbraRayCaster.h"
 #include "vtkPenumbraTemporalSSAOPass.h"
 #include "vtkPenumbraTracedEstimator.h"
@@ -26,6 +26,7 @@
 #include <vtkSphereSource.h>
 
 #include <QApplication>
+#include <QFile>
 #include <QFileDialog>
 #include <QMainWindow>
 #include <QProgressDialog>
@@ -80,6 +81,8 @@ public:
   void SaveWindow(const QString& path);
   /// Ray casts the scene in the size of the window. Returns the estimated error; NaN if cancelled.
   double SaveImage(const QString& path);
+  /// Saves an image, and cancels as soon as the dialog is shown. Returns whether no file was written.
+  bool CancelImage(const QString& path);
 
   vtkPenumbraTemporalSSAOPass* Occlusion = nullptr;
 
@@ -166,6 +169,7 @@ double Window::SaveImage(const QString& path)
 {
   QProgressDialog dialog("Ray casting", "Cancel", 0, 100, this);
   dialog.setWindowModality(Qt::WindowModal);
+  dialog.setMinimumDuration(0);
   vtkNew<vtkPenumbraRayCaster> caster;
   caster->SetRenderer(this->Renderer);
   const int* size = this->RenderWindow->GetSize();
@@ -176,7 +180,8 @@ double Window::SaveImage(const QString& path)
   progress->SetClientData(&dialog);
   caster->AddObserver(vtkCommand::ProgressEvent, progress);
   caster->Update();
-  if (dialog.wasCanceled())
+  // The dialog cannot say this: the last progress, 1, is sent after an abort, too, and resets the dialog.
+  if (caster->GetAbortExecute())
   {
     return std::nan("");
   }
@@ -191,6 +196,20 @@ double Window::SaveImage(const QString& path)
   writer->SetFileName(path.toUtf8().constData());
   writer->Write();
   return caster->GetEstimatedError();
+}
+
+bool Window::CancelImage(const QString& path)
+{
+  QTimer timer;
+  connect(&timer, &QTimer::timeout, [this]() {
+    auto* dialog = this->findChild<QProgressDialog*>();
+    if (dialog && dialog->isVisible())
+    {
+      dialog->cancel();
+    }
+  });
+  timer.start(0);
+  return std::isnan(this->SaveImage(path)) && !QFile::exists(path);
 }
 
 }
@@ -213,8 +232,9 @@ int main(int argc, char* argv[])
         poll.stop();
         window.SaveWindow(arguments[2] + "/window.png");
         const double error = window.SaveImage(arguments[2] + "/image.png");
+        const bool cancelled = window.CancelImage(arguments[2] + "/cancelled.png");
         std::cout << "window: error " << window.Occlusion->GetEstimatedError() << ", image: error "
-                  << error << std::endl;
+                  << error << ", cancelled: " << (cancelled ? "no file" : "a file") << std::endl;
         QApplication::quit();
       }
     });
