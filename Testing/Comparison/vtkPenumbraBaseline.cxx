@@ -49,6 +49,12 @@ std::string Describe(vtkRenderWindow* window)
     Find(capabilities, "OpenGL renderer string:");
 }
 
+// Returns whether no object factory replaced the base class, whose windows render nothing.
+bool HasNoOpenGL(vtkObject* object)
+{
+  return object && std::string(object->GetClassName()) == "vtkRenderWindow";
+}
+
 // Render off screen at a fixed resolution, so that the image does not depend on a display.
 vtkSmartPointer<vtkImageData> Draw(vtkRenderWindow* window)
 {
@@ -89,6 +95,10 @@ void vtkPenumbraBaseline::Internals::Draw()
 {
   this->Image = nullptr;
   this->RenderedBy = this->Object ? this->Object->GetClassName() : "no object";
+  if (HasNoOpenGL(this->Object))
+  {
+    return;
+  }
   if (auto* window = vtkRenderWindow::SafeDownCast(this->Object))
   {
     this->Image = ::Draw(window);
@@ -162,6 +172,11 @@ bool vtkPenumbraBaseline::Check()
   {
     implementation.ReportStream
       << "'" << path << "' is not a baseline file: give a path that ends in .png or .vti\n";
+  }
+  else if (HasNoOpenGL(implementation.Object))
+  {
+    implementation.ReportStream
+      << "The window has no OpenGL: call vtk_module_autoinit for VTK::RenderingOpenGL2.\n";
   }
   else if (!implementation.Image || implementation.Image->GetNumberOfPoints() == 0)
   {

@@ -8,6 +8,7 @@
 #include "vtkConeSource.h"
 #include "vtkImageCanvasSource2D.h"
 #include "vtkImageShiftScale.h"
+#include "vtkObjectFactory.h"
 #include "vtkPNGReader.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
@@ -206,6 +207,20 @@ TEST_F(vtkPenumbraBaselineTest, RendersWindowsAndReportsTheDriver)
   EXPECT_TRUE(this->Reports(std::string("rendered by: ") + window->GetClassName() + ", OpenGL "))
     << this->Baseline->GetReport();
   EXPECT_FALSE(this->Reports("unknown")) << this->Baseline->GetReport();
+}
+
+TEST_F(vtkPenumbraBaselineTest, ReportsWindowsWithoutOpenGL)
+{
+  ASSERT_TRUE(this->CheckAccepting(Canvas(50, 8), "replace"));
+  // As in a program without vtk_module_autoinit.
+  vtkObjectFactory::SetAllEnableFlags(0, "vtkRenderWindow");
+  const auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  vtkObjectFactory::SetAllEnableFlags(1, "vtkRenderWindow");
+  ASSERT_TRUE(window);
+  ASSERT_STREQ(window->GetClassName(), "vtkRenderWindow");
+  EXPECT_FALSE(this->Check(window));
+  EXPECT_STREQ(this->Baseline->GetReport(),
+    "The window has no OpenGL: call vtk_module_autoinit for VTK::RenderingOpenGL2.\n");
 }
 
 TEST_F(vtkPenumbraBaselineTest, IsAGoogleTestAssertion)
