@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -88,7 +89,8 @@ void Compare(Images& images)
   images.Fraction = static_cast<double>(different) / (Size * Size);
 }
 
-void Write(const Images& images, const std::string& path)
+/// Writes a file of the sheet, and its folder. Returns whether it exists.
+bool Write(const Images& images, const std::filesystem::path& path)
 {
   vtkNew<vtkImageData> sheet;
   sheet->SetDimensions(3 * Size, Size, 1);
@@ -105,10 +107,13 @@ void Write(const Images& images, const std::string& path)
       set(2, images.Different[p] ? 255.0 : 0.0);
     }
   }
+  std::error_code error;
+  std::filesystem::create_directories(path.parent_path(), error);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(sheet);
   writer->SetFileName(path.c_str());
   writer->Write();
+  return writer->GetErrorCode() == 0 && std::filesystem::exists(path);
 }
 
 void Render(const FeatureScene& scene, Images& images)
@@ -243,7 +248,7 @@ TEST_P(FeatureTable, AgreesWithVTK)
     {
       std::ostringstream path;
       path << folder << "/" << 100 + i << ".png";
-      Write(images, path.str());
+      ASSERT_TRUE(Write(images, path.str())) << "cannot write " << path.str();
       std::cout << path.str() << " " << Row(scene.Key).Name << " " << images.Fraction << "\n";
     }
     if (ComparesImages && Row(scene.Key).Level == FeatureRow::Levels::Drawn &&
@@ -258,6 +263,22 @@ INSTANTIATE_TEST_SUITE_P(Features, FeatureTable, testing::ValuesIn(FeaturesWithS
   [](const testing::TestParamInfo<Feature>& feature) {
     return std::to_string(static_cast<int>(feature.param));
   });
+
+TEST(FeatureSheet, IsWrittenToNewFoldersOrFails)
+{
+  Images images;
+  images.Raster->SetNumberOfComponents(3);
+  images.Raster->SetNumberOfTuples(Size * Size);
+  images.Raster->FillValue(0);
+  images.Rays.resize(3 * Size * Size);
+  images.Different.resize(Size * Size);
+  const std::filesystem::path folder =
+    std::filesystem::path(testing::TempDir()) / "penumbra-feature-sheet";
+  std::filesystem::remove_all(folder);
+  EXPECT_TRUE(Write(images, folder / "new" / "100.png"));
+  EXPECT_FALSE(Write(images, folder / "new" / "100.png" / "101.png"));
+  std::filesystem::remove_all(folder);
+}
 
 TEST(FeatureRows, FollowTheOrderOfTheFeatures)
 {
