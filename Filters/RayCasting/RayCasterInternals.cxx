@@ -38,14 +38,34 @@ void RequireUsable(const penumbra::Scene& scene)
   }
 }
 
-/// Returns whether the pass of a renderer computes effects that rays do not compute.
-bool IsIgnored(vtkRenderPass* pass, bool occlusion, bool shafts)
+/// Returns the effects of the pass of a renderer that rays do not compute.
+penumbra::EffectList FindMissingEffects(vtkRenderPass* pass, bool occlusion, bool shafts)
 {
-  auto* passes = dynamic_cast<penumbra::PassEffects*>(pass);
-  const penumbra::EffectList effects =
-    passes ? passes->GetEffects() : penumbra::FindEffectsOfClass(pass);
-  return !pass->IsA("vtkPenumbraRayCastPass") &&
-    (effects.Other || (effects.AmbientOcclusion && !occlusion) || (effects.LightShafts && !shafts));
+  penumbra::EffectList missing;
+  if (pass && !pass->IsA("vtkPenumbraRayCastPass"))
+  {
+    auto* passes = dynamic_cast<penumbra::PassEffects*>(pass);
+    missing = passes ? passes->GetEffects() : penumbra::FindEffectsOfClass(pass);
+    missing.AmbientOcclusion &= !occlusion;
+    missing.LightShafts &= !shafts;
+  }
+  return missing;
+}
+
+/// Returns the warning of missing ambient occlusion, light shafts, or both.
+std::string DescribeMissingEffects(const penumbra::EffectList& missing)
+{
+  const std::string text = "The render pass of the renderer is ignored: ";
+  if (missing.AmbientOcclusion && missing.LightShafts)
+  {
+    return text +
+      "ambient occlusion and light shafts of its pass are not in the image. Call "
+      "SetAmbientOcclusion(true) and SetMedium().";
+  }
+  return text +
+    (missing.AmbientOcclusion
+        ? "ambient occlusion of its pass is not in the image. Call SetAmbientOcclusion(true)."
+        : "light shafts of its pass are not in the image. Call SetMedium().");
 }
 
 }
@@ -251,10 +271,16 @@ void vtkPenumbraRayCaster::Internals::WarnOfScene(
   {
     penumbra::WarnFeature(penumbra::Feature::RendererOcclusion, "", scene.Warnings);
   }
-  vtkRenderPass* const pass = this->Renderer ? this->Renderer->GetPass() : nullptr;
-  if (pass && IsIgnored(pass, self->GetAmbientOcclusion(), this->Medium))
+  const penumbra::EffectList missing =
+    FindMissingEffects(this->Renderer ? this->Renderer->GetPass() : nullptr,
+      self->GetAmbientOcclusion(), this->Medium != nullptr);
+  if (missing.Other)
   {
     penumbra::WarnFeature(penumbra::Feature::RenderPass, "", scene.Warnings);
+  }
+  else if (missing.AmbientOcclusion || missing.LightShafts)
+  {
+    scene.Warnings.push_back(DescribeMissingEffects(missing));
   }
   if (self->GetShadows())
   {

@@ -37,7 +37,7 @@ NOT_DRAWN = {
 ANTIALIASING = ("vtkSSAAPass", "vtkOpenGLFXAAPass")
 
 # What the ray caster says of the settings of a renderer that _follow_renderer and _follow_passes follow.
-PASS_IGNORED = "The render pass of the renderer is ignored."
+PASS_IGNORED = "The render pass of the renderer is ignored"
 SETTINGS_IGNORED = ("Screen-space ambient occlusion of the renderer is replaced by ray-cast ambient occlusion",)
 
 

@@ -229,8 +229,8 @@ const std::vector<FeatureRow>& GetFeatureTable()
     { Feature::HiddenLineRemoval, Drawn, "vtkRenderer: UseHiddenLineRemoval", "", "" },
     { Feature::RenderPass, Refused, "vtkRenderer: Pass",
       "The render pass of the renderer is ignored.",
-      "Render with OpenGL; instead of Penumbra's passes, set AmbientOcclusion or Medium of "
-      "vtkPenumbraRayCaster." },
+      "Render with OpenGL, or call SetAmbientOcclusion(true) or SetMedium() of "
+      "vtkPenumbraRayCaster if the pass has these effects." },
     { Feature::RendererOcclusion, Approximated, "vtkRenderer: UseSSAO, SSAORadius",
       "Screen-space ambient occlusion of the renderer is replaced by ray-cast ambient occlusion of "
       "the same radius.",

@@ -359,7 +359,7 @@ TEST_F(RayCastPass, DrawsSceneInStereoAndDuringSelection)
 
 TEST(RayCaster, WarnsOfPassesUnlessItComputesTheirEffects)
 {
-  const auto countWarnings = [](const auto& addPass, bool occlusion, bool medium) {
+  const auto collect = [](const auto& addPass, bool occlusion, bool medium) {
     vtkNew<vtkRenderer> renderer;
     SetUpScene(renderer);
     addPass(renderer.Get());
@@ -372,7 +372,10 @@ TEST(RayCaster, WarnsOfPassesUnlessItComputesTheirEffects)
     std::vector<std::string> warnings;
     CollectWarnings(caster, warnings);
     caster->Update();
-    return warnings.size();
+    return warnings;
+  };
+  const auto countWarnings = [&](const auto& addPass, bool occlusion, bool medium) {
+    return collect(addPass, occlusion, medium).size();
   };
   const auto occlusion = [](
                            vtkRenderer* renderer) { vtkPenumbraTemporalSSAOPass::AddTo(renderer); };
@@ -396,6 +399,18 @@ TEST(RayCaster, WarnsOfPassesUnlessItComputesTheirEffects)
   EXPECT_EQ(countWarnings(both, false, true), 1u);
   EXPECT_EQ(countWarnings(both, true, true), 0u);
   EXPECT_EQ(countWarnings(other, true, true), 1u);
+  const auto names = [&](bool hasOcclusion, bool hasMedium, const std::string& text) {
+    const std::vector<std::string> warnings = collect(both, hasOcclusion, hasMedium);
+    return warnings.size() == 1 &&
+      warnings[0].find("The render pass of the renderer is ignored: " + text) != std::string::npos;
+  };
+  EXPECT_TRUE(names(false, true,
+    "ambient occlusion of its pass is not in the image. Call SetAmbientOcclusion(true)."));
+  EXPECT_TRUE(
+    names(true, false, "light shafts of its pass are not in the image. Call SetMedium()."));
+  EXPECT_TRUE(names(false, false,
+    "ambient occlusion and light shafts of its pass are not in the image. Call "
+    "SetAmbientOcclusion(true) and SetMedium()."));
 }
 
 TEST_F(RayCastPass, RejectsInvalidTimeLimits)
