@@ -29,6 +29,15 @@ set(penumbra_package_vtk_hints "")
 if (PENUMBRA_INSTALL_VTK_PATH)
   set(penumbra_package_vtk_hints "\n  HINTS \"${VTK_DIR}\"")
 endif ()
+# The generator expression COMPILE_ONLY, as in VTK 9.7 for X11, needs CMake 3.27.
+set(penumbra_package_vtk_cmake "")
+get_directory_property(penumbra_imported IMPORTED_TARGETS)
+foreach (target IN LISTS penumbra_imported)
+  get_target_property(penumbra_linked ${target} INTERFACE_LINK_LIBRARIES)
+  if (target MATCHES "^VTK::" AND penumbra_linked MATCHES "COMPILE_ONLY")
+    set(penumbra_package_vtk_cmake 3.27)
+  endif ()
+endforeach ()
 
 set(penumbra_config_destination "${CMAKE_INSTALL_LIBDIR}/cmake/penumbra")
 configure_package_config_file(
