@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -27,7 +28,8 @@ struct Measured
 {
   Scenario Row;
   std::vector<ScenarioResult>
-    Outcomes; ///< Penumbra, the mechanism disabled, and VTK if the row has a peer
+    Outcomes;         ///< Penumbra, the mechanism disabled, and VTK if the row has a peer
+  std::string Panels; ///< what the image shows
 };
 
 std::string Number(double value)
@@ -37,22 +39,101 @@ std::string Number(double value)
   return text;
 }
 
+/// The largest absolute value.
+double Largest(const Frame& frame)
+{
+  double largest = 0.0;
+  for (const double value : frame.Values)
+  {
+    largest = std::max(largest, std::abs(value));
+  }
+  return largest;
+}
+
+/// Returns 1 for values that can be seen, else a power of ten that makes `largest` at most 1.
+int Gain(double largest, double visible)
+{
+  int gain = 1;
+  while (largest > 0.0 && largest * gain < visible && largest * gain * 10 <= 1.0)
+  {
+    gain *= 10;
+  }
+  return gain;
+}
+
+struct Panels
+{
+  std::vector<Frame> Frames;
+  std::string Text; ///< what the frames are
+};
+
+Frame Scale(const Frame& frame, int gain)
+{
+  Frame scaled = frame;
+  for (double& value : scaled.Values)
+  {
+    value *= gain;
+  }
+  return scaled;
+}
+
+/// The images of the outcomes. Dark ones are brighter; if the first two look alike, their difference is the last.
+Panels MakePanels(const Measured& measured)
+{
+  double largest = 0.0;
+  for (const ScenarioResult& outcome : measured.Outcomes)
+  {
+    largest = std::max(largest, Largest(outcome.Image));
+  }
+  const int gain = Gain(largest, 0.25);
+  Panels panels;
+  for (const ScenarioResult& outcome : measured.Outcomes)
+  {
+    panels.Frames.push_back(Scale(outcome.Image, gain));
+  }
+  panels.Text = std::string("Penumbra; mechanism disabled") +
+    (measured.Row.Peer.empty() ? "" : "; VTK") +
+    (gain > 1 ? " (values times " + std::to_string(gain) + ")" : "");
+  const Frame& one = measured.Outcomes[0].Image;
+  const Frame& two = measured.Outcomes[1].Image;
+  if (one.Width != two.Width || one.Height != two.Height)
+  {
+    return panels;
+  }
+  Frame difference = one;
+  for (std::size_t i = 0; i < one.Values.size(); ++i)
+  {
+    difference.Values[i] = std::abs(one.Values[i] - two.Values[i]);
+  }
+  const int contrast = Gain(Largest(difference), 0.1);
+  if (contrast > 1)
+  {
+    panels.Frames.push_back(Scale(difference, contrast));
+    panels.Text += "; difference of the first two, times " + std::to_string(contrast);
+  }
+  else if (Largest(difference) == 0.0)
+  {
+    panels.Text += "; the first two are equal, the values are of other images";
+  }
+  return panels;
+}
+
 /// Concatenates images horizontally with a gray gap between them. Every pixel becomes a square of as many
 /// pixels as make the images at least `readable` high, so that a reader can tell them apart.
-void WriteImage(const std::string& path, const std::vector<ScenarioResult>& outcomes)
+void WriteImage(const std::string& path, const std::vector<Frame>& frames)
 {
   constexpr int gap = 8;
   constexpr int readable = 192;
   int height = 1;
-  for (const ScenarioResult& outcome : outcomes)
+  for (const Frame& frame : frames)
   {
-    height = std::max(height, outcome.Image.Height);
+    height = std::max(height, frame.Height);
   }
   const int zoom = (readable + height - 1) / height;
   int width = -gap;
-  for (const ScenarioResult& outcome : outcomes)
+  for (const Frame& frame : frames)
   {
-    width += zoom * outcome.Image.Width + gap;
+    width += zoom * frame.Width + gap;
   }
   vtkNew<vtkImageData> image;
   image->SetDimensions(width, zoom * height, 1);
@@ -60,9 +141,8 @@ void WriteImage(const std::string& path, const std::vector<ScenarioResult>& outc
   auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
   std::fill(bytes, bytes + static_cast<std::size_t>(width) * zoom * height, 160);
   int left = 0;
-  for (const ScenarioResult& outcome : outcomes)
+  for (const Frame& frame : frames)
   {
-    const Frame& frame = outcome.Image;
     for (int y = 0; y < zoom * frame.Height; ++y)
     {
       for (int x = 0; x < zoom * frame.Width; ++x)
@@ -84,7 +164,7 @@ std::vector<Measured> MeasureAll(const std::string& images)
   std::vector<Measured> rows;
   for (const Scenario& row : Catalogue())
   {
-    Measured measured{ row, {} };
+    Measured measured{ row, {}, {} };
     for (const Variant variant : { Variant::Ours, Variant::Ablated, Variant::Peer })
     {
       if (variant != Variant::Peer || !row.Peer.empty())
@@ -92,7 +172,9 @@ std::vector<Measured> MeasureAll(const std::string& images)
         measured.Outcomes.push_back(row.Measure(variant));
       }
     }
-    WriteImage(images + "/" + row.Name + ".png", measured.Outcomes);
+    const Panels panels = MakePanels(measured);
+    measured.Panels = panels.Text;
+    WriteImage(images + "/" + row.Name + ".png", panels.Frames);
     std::printf("%-26s %-18s bound %-8s Penumbra %-8s disabled %-8s %s%s\n", row.Name.c_str(),
       TextOf(row.Measured).Name.c_str(), Number(row.Bound).c_str(),
       Number(measured.Outcomes[0].Value).c_str(), Number(measured.Outcomes[1].Value).c_str(),
@@ -170,9 +252,9 @@ void WriteRow(std::ostream& out, const Measured& measured)
   const auto& outcomes = measured.Outcomes;
   out << "\n### " << row.Name << "\n\n"
       << (row.IsKnownFailure ? "Open. " : "") << row.Scene << "; " << row.Motion << "."
-      << (row.Source.empty() ? "" : " Published weakness: " + row.Source + ".")
-      << "\n\n![](Images/Stability/" << row.Name
-      << ".png)\n\n| metric | bound | Penumbra | disabled"
+      << (row.Source.empty() ? "" : " Published weakness: " + row.Source + ".") << "\n\n!["
+      << measured.Panels << "](Images/Stability/" << row.Name << ".png)\n\n*" << measured.Panels
+      << ".*\n\n| metric | bound | Penumbra | disabled"
       << (row.Peer.empty() ? " |\n" : " | VTK |\n")
       << (row.Peer.empty() ? "|---|---|---|---|\n" : "|---|---|---|---|---|\n") << "| "
       << TextOf(row.Measured).Name << " | " << Number(row.Bound) << " | "
@@ -187,8 +269,11 @@ void WriteRow(std::ostream& out, const Measured& measured)
 
 void WriteRows(std::ostream& out, const std::vector<Measured>& rows)
 {
-  out << "\n## Rows\n\nImages: Penumbra, with the mechanism disabled, and VTK if it has a "
-         "comparable method; pixels are enlarged.\n";
+  out << "\n## Rows\n\nImages: from left to right, Penumbra, the same with the mechanism disabled, "
+         "and VTK if it has "
+         "a comparable method; pixels are enlarged.\nOf a sequence, they are one frame. Where they "
+         "look alike, "
+         "their difference is the last image.\n";
   for (const Measured& measured : rows)
   {
     WriteRow(out, measured);
