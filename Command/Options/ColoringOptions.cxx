@@ -71,7 +71,7 @@ void DeclareColoringOptions(const CommandLine& app, ColoringOptions& coloring)
     {
       return;
     }
-    coloring.Range = ParseNumbers("--coloring-range", text, 2, 2, {});
+    coloring.Range = ParseNumbers("--coloring-range", text, 2, 2, {}, "`all`");
     if (coloring.Range[0] > coloring.Range[1])
     {
       throw InvalidValue("--coloring-range", "'" + text + "' has a minimum above its maximum");

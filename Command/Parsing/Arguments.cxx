@@ -16,11 +16,12 @@ namespace penumbra
 namespace
 {
 
-// Throws InvalidValue. `option`: the name, and others after commas.
-[[noreturn]] void ThrowInvalid(
-  const std::string& option, const std::string& text, const std::string& expected)
+// Throws InvalidValue. `option`: the name, and others after commas; `word`: another valid value, or empty.
+[[noreturn]] void ThrowInvalid(const std::string& option, const std::string& text,
+  const std::string& expected, const std::string& word = std::string())
 {
-  throw InvalidValue(option.substr(0, option.find(',')), "'" + text + "' is not " + expected);
+  const std::string wrong = word.empty() ? "' is not " : "' is neither " + word + " nor ";
+  throw InvalidValue(option.substr(0, option.find(',')), "'" + text + wrong + expected);
 }
 
 std::string Describe(const Range& range)
@@ -85,7 +86,7 @@ std::string Join(const std::vector<std::string>& texts, const std::string& separ
 }
 
 std::vector<double> ParseNumbers(const std::string& option, const std::string& text,
-  std::size_t minimum, std::size_t maximum, const Range& range)
+  std::size_t minimum, std::size_t maximum, const Range& range, const std::string& word)
 {
   std::string expected = Describe(range);
   if (maximum > 1)
@@ -103,13 +104,13 @@ std::vector<double> ParseNumbers(const std::string& option, const std::string& t
       (std::isinf(value) && !range.AllowInfinity) || value < range.Minimum ||
       value > range.Maximum || (range.IsExclusive && value == range.Minimum))
     {
-      ThrowInvalid(option, text, expected);
+      ThrowInvalid(option, text, expected, word);
     }
     numbers.push_back(value);
   }
   if (numbers.size() < minimum || numbers.size() > maximum)
   {
-    ThrowInvalid(option, text, expected);
+    ThrowInvalid(option, text, expected, word);
   }
   return numbers;
 }
@@ -192,7 +193,7 @@ Option AddDirection(const CommandLine& app, const std::string& name, std::option
     {
       return;
     }
-    const std::vector<double> numbers = ParseNumbers(name, text, 3, 3, {});
+    const std::vector<double> numbers = ParseNumbers(name, text, 3, 3, {}, "an axis such as +Z");
     std::copy(numbers.begin(), numbers.end(), target->begin());
     if (*target == Vector3{})
     {
@@ -237,7 +238,7 @@ Option AddNumber(const CommandLine& app, const std::string& name, double& target
   const std::string& unit, const std::string& description, const Range& range)
 {
   const auto store = [name, range, &target](const std::string& text) {
-    target = ParseNumbers(name, text, 1, 1, range)[0];
+    target = ParseNumbers(name, text, 1, 1, range, range.AllowInfinity ? "`inf`" : "")[0];
   };
   return app.AddParsed(name, store, description)
     .TypeName(unit)

@@ -34,9 +34,11 @@ struct Range
 /// Returns `texts` with `separator` between them.
 std::string Join(const std::vector<std::string>& texts, const std::string& separator);
 
-/// Parses numbers, such as 0.25, 1e-3 or 1/256, separated by commas. Throws InvalidValue naming `option`.
+/// Parses numbers, such as 0.25, 1e-3 or 1/256, separated by commas. Throws InvalidValue naming `option`;
+/// its message mentions `word`, if not empty, as another valid value.
 std::vector<double> ParseNumbers(const std::string& option, const std::string& text,
-  std::size_t minimum, std::size_t maximum, const Range& range);
+  std::size_t minimum, std::size_t maximum, const Range& range,
+  const std::string& word = std::string());
 
 /// Parses `count` integers separated by commas. Exponents and fractions are invalid: 1e2 is likely a mistake.
 /// Throws InvalidValue naming `option`.
