@@ -217,10 +217,6 @@ int Render(const RenderOptions& options, Clock::time_point start)
   for (RenderOptions& image : images)
   {
     CheckFiles(image);
-    if (image.Output != options.Output)
-    {
-      CreateFolders(image);
-    }
     if (count > 1)
     {
       image.Progress = "none";
@@ -247,8 +243,14 @@ int Render(const RenderOptions& options, Clock::time_point start)
         static_cast<double>(done) / count);
     }
   };
-  return RunWorkers(
-    count, jobs, [&](int i) { return RenderImage(images[i], start); }, finished);
+  const auto render = [&](int i) {
+    if (images[i].Output != options.Output)
+    {
+      CreateFolders(images[i]);
+    }
+    return RenderImage(images[i], start);
+  };
+  return RunWorkers(count, jobs, render, finished);
 }
 
 }

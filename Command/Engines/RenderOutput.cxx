@@ -162,10 +162,16 @@ void RecordInputs(const RenderOptions& options)
 
 void CreateFolders(const RenderOptions& options)
 {
-  for (const std::string& path : { options.Output, options.Statistics })
+  for (const auto& [option, path] :
+    { std::pair("--output ", options.Output), { "--statistics ", options.Statistics } })
   {
-    std::error_code ignored;
-    std::filesystem::create_directories(std::filesystem::path(path).parent_path(), ignored);
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    std::error_code error;
+    if (!folder.empty() && !std::filesystem::create_directories(folder, error) && error)
+    {
+      throw CommandError(
+        BadInput, option + path + ": the folder cannot be created: " + error.message());
+    }
   }
 }
 

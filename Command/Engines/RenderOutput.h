@@ -56,7 +56,7 @@ private:
 /// Records the files that `options` name as inputs.
 void RecordInputs(const RenderOptions& options);
 
-/// Creates the folders of the output files if they do not exist. Errors are left to OutputFiles.
+/// Creates the folders of the output files if they do not exist. Throws CommandError if it fails.
 void CreateFolders(const RenderOptions& options);
 
 /// Throws CommandError if an output would overwrite an input or the other output.

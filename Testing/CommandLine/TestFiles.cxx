@@ -418,6 +418,30 @@ TEST(Faults, ReadOnlyFoldersAreReported)
   }
 }
 
+TEST(Faults, FoldersThatCannotBeCreatedAreReported)
+{
+  const Folder folder("no-folder");
+  WriteText(folder / "square.stl", SquareStl());
+  WriteText(folder / "file", "");
+  const std::string options = " " + Quote(folder / "square.stl") + " --resolution 9,9 --output ";
+  for (const std::string command : { "animate --frames 1", "render" })
+  {
+    const std::string output =
+      folder / (command == "render" ? "file/{name}/a.png" : "file/sub/{frame}.png");
+    ExpectRefused(RunShell("$PENUMBRA " + command + options + Quote(output)),
+      "the folder cannot be created: Not a directory");
+  }
+  if (RunShell("[ $(id -u) = 0 ] && command -v setpriv >/dev/null").Status != 0)
+  {
+    GTEST_SKIP() << "Another user is needed, whom permissions bind.";
+  }
+  ExpectRefused(RunShell("PENUMBRA_LOG=/dev/null exec setpriv --reuid 64123 --clear-groups "
+                         "$PENUMBRA animate --frames 1" +
+                  options + Quote(folder / "sub/{frame}.png")),
+    "sub/0000.png: the folder cannot be created: Permission denied");
+  EXPECT_EQ(folder.List(), (std::vector<std::string>{ "file", "square.stl" }));
+}
+
 TEST(Faults, SignalsLeaveNoPartialMesh)
 {
   const Folder folder("signals-bake");
