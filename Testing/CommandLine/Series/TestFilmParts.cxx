@@ -141,6 +141,38 @@ TEST(FilmParts, SlurmTasksRenderFilmOfOneProcess)
   ExpectSameFiles(folder, "whole", "task", 7);
 }
 
+TEST(FilmParts, SlurmTasksReportInvalidUse)
+{
+  const Folder folder("bad-slurm");
+  WriteText(folder / "empty.json", "");
+  WriteText(folder / "cut.json", "{\n \"coloring-range\": [0,2],\n \"ima");
+  const std::string usage = "usage: sbatch -a 0-7 film.sbatch 8 FILM.json OPTIONS...\n";
+  const struct
+  {
+    const char* Arguments;
+    std::string Said;
+  } rows[] = { { "SLURM_ARRAY_TASK_ID=2", usage }, { "SLURM_ARRAY_TASK_ID=2 3", usage },
+    { "SLURM_ARRAY_TASK_ID=2 3 cut.json", usage },
+    { "SLURM_ARRAY_TASK_ID=2 film cut.json a", usage },
+    { "SLURM_ARRAY_TASK_ID=3 3 cut.json a", usage },
+    { "-u SLURM_ARRAY_TASK_ID 3 cut.json a", usage },
+    { "SLURM_ARRAY_TASK_ID=2 3 cut.json a",
+      "film.sbatch: cut.json: no number of images; prepare the film again\n" },
+    { "SLURM_ARRAY_TASK_ID=2 3 empty.json a",
+      "film.sbatch: empty.json: no number of images; prepare the film again\n" } };
+  for (const auto& row : rows)
+  {
+    std::string arguments = row.Arguments;
+    const std::size_t end = arguments.find(' ', arguments[0] == '-' ? 3 : 0);
+    const std::string variable = arguments.substr(0, end);
+    arguments.erase(0, variable.size());
+    const ProgramResult outcome = RunShell("cd " + Quote(folder.Path) + " && env " + variable +
+      " bash " + Quote(SourceFolder() + "/Examples/Clusters/film.sbatch") + arguments);
+    EXPECT_EQ(outcome.Status, 2) << row.Arguments;
+    EXPECT_EQ(outcome.Errors, row.Said) << row.Arguments;
+  }
+}
+
 TEST(FilmParts, ReportInvalidUse)
 {
   const Folder folder("bad-parts");
