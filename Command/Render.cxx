@@ -173,7 +173,7 @@ std::vector<RenderOptions> PlanTimes(const RenderOptions& scene, const Timeline&
   return images.empty() ? std::vector<RenderOptions>{ scene } : images;
 }
 
-// Replaces scenes by their images. Returns the exit status of reading the times of the files.
+// Replaces scenes by their images; those whose time steps cannot be read have none. Returns the largest exit status.
 int PlanImages(std::vector<RenderOptions>& images)
 {
   std::vector<std::vector<std::string>> files;
@@ -182,10 +182,11 @@ int PlanImages(std::vector<RenderOptions>& images)
     files.push_back(image.Files);
   }
   std::vector<Timeline> timelines;
-  const int status = ReadTimelines(files, images.front().Jobs, timelines);
+  int status = ReadTimelines(files, images.front().Jobs, timelines);
+  const bool hasTimelines = status == Done;
   std::vector<RenderOptions> scenes;
   scenes.swap(images);
-  for (std::size_t i = 0; i < scenes.size() && status == Done; ++i)
+  for (std::size_t i = 0; i < scenes.size() && hasTimelines; ++i)
   {
     std::vector<StepInput> steps;
     for (const double time : timelines[i].Times)
@@ -194,7 +195,12 @@ int PlanImages(std::vector<RenderOptions>& images)
     }
     if (scenes[i].Coloring.Enabled && scenes[i].Coloring.RangeOfAllSteps && steps.size() > 1)
     {
-      SetRangeOfAllSteps(steps, scenes[i]);
+      const int found = SetRangeOfAllSteps(steps, scenes[i]);
+      status = std::max(status, found);
+      if (found != Done)
+      {
+        continue;
+      }
     }
     for (const RenderOptions& image : PlanTimes(scenes[i], timelines[i]))
     {
@@ -209,10 +215,6 @@ int Render(const RenderOptions& options, Clock::time_point start)
   std::vector<RenderOptions> images = PlanScenes(options);
   RecordInputs(options);
   const int status = UsesTime(options) ? PlanImages(images) : Done;
-  if (status != Done)
-  {
-    return status;
-  }
   const int count = static_cast<int>(images.size());
   for (RenderOptions& image : images)
   {
@@ -250,7 +252,8 @@ int Render(const RenderOptions& options, Clock::time_point start)
     }
     return RenderImage(images[i], start);
   };
-  return RunWorkers(count, jobs, render, finished);
+  const int rendered = RunWorkers(count, jobs, render, finished);
+  return std::max(status, rendered);
 }
 
 }

@@ -51,7 +51,8 @@ public:
   double ComputeFraction(int frame) const;
 
   /// Reads the defaults that depend on the data in worker processes, from the first frame that
-  /// shows a surface. Returns an exit status.
+  /// shows a surface. A frame before it that cannot be read is an error if no image reports it.
+  /// Returns an exit status.
   int FindDefaults();
 
   /// Returns whether defaults are known, by FindDefaults() or from the file of --defaults.

@@ -120,13 +120,19 @@ int Film::FindDefaults()
     {
       return status;
     }
-    if (!texts.front().empty() && texts.front()[0] != '!')
+    const std::string& text = texts.front();
+    if (!text.empty() && text[0] != '!')
     {
-      this->Defaults = ParseJsonObject(texts.front());
+      this->Defaults = ParseJsonObject(text);
       return Done;
     }
-    failure = failure.empty() && !texts.front().empty() ? texts.front().substr(1) : failure;
-    if (!this->IsSeries())
+    const bool reported = this->Options.Prepare.empty() && this->IsWanted(frame); // by the image
+    if (status != Done && !reported)
+    {
+      return status; // The reader crashed.
+    }
+    failure = failure.empty() && !text.empty() ? text.substr(1) : failure;
+    if (!this->IsSeries() || (!text.empty() && !reported))
     {
       break;
     }

@@ -26,24 +26,24 @@ namespace penumbra
 namespace
 {
 
-// Returns the array and the range of one step; empty if it has none.
+// Returns the array and the range of one step; empty if it has none. Throws CommandError if the step cannot be read.
 std::string FindRange(const StepInput& step, RenderOptions options)
 {
   ProgressLine silent("none");
   std::vector<std::string> ignored;
+  const Surfaces surfaces =
+    ReadMeshes(step.Files, GetInputOptions(options, step.Time, true), silent, ignored);
+  if (surfaces.Meshes.empty())
+  {
+    return std::string();
+  }
   try
   {
-    const Surfaces surfaces =
-      ReadMeshes(step.Files, GetInputOptions(options, step.Time, true), silent, ignored);
-    if (surfaces.Meshes.empty())
-    {
-      return std::string();
-    }
     FreezeColoring(BuildScene(surfaces, options, 1.0), options.Coloring);
   }
   catch (const CommandError&)
   {
-    return std::string(); // The image of this step reports the error.
+    return std::string(); // The step lacks the array. Its image reports the error.
   }
   if (options.Coloring.Range.empty())
   {

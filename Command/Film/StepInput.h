@@ -27,7 +27,7 @@ int ReadTimelines(
   const std::vector<std::vector<std::string>>& groups, int jobs, std::vector<Timeline>& timelines);
 
 /// Sets the array and the range of --coloring-range all from all steps, in worker processes. Steps
-/// that cannot be read or lack the array are left out. Returns the largest exit status.
+/// that lack the array are left out. Returns the largest exit status: BadInput if a step cannot be read.
 int SetRangeOfAllSteps(const std::vector<StepInput>& steps, RenderOptions& options);
 
 }

@@ -173,6 +173,64 @@ TEST(FilmParts, SlurmTasksReportInvalidUse)
   }
 }
 
+TEST(FilmParts, UnreadableStepIsReportedBeforeFirstImage)
+{
+  const Folder folder("gone-parts");
+  const Words range = { "--coloring-array", "T", "--coloring-range", "all" };
+  const Words list = { folder / "run_8.vtk", folder / "run_9.vtk", folder / "run_10.vtk",
+    "--time-series" };
+  const Words output = { "--output", folder / "film/{frame}.png" };
+  const Words prepare = { "--prepare", folder / "film.json" };
+  for (const auto& [name, isCut] :
+    { std::pair("run_8.vtk", false), { "run_9.vtk", true }, { "run_10.vtk", false } })
+  {
+    const std::string step = folder / name;
+    WriteFileSeries(folder);
+    std::filesystem::resize_file(step, std::filesystem::file_size(step) / 2);
+    if (!isCut)
+    {
+      std::filesystem::remove(step);
+    }
+    std::vector<ProgramResult> outcomes = {
+      RunAnimate(Join(Join(Join({ folder / "run.pvd" }, range), output), prepare)),
+      RunAnimate(Join(Join(Join(list, range), output), prepare)),
+      RunAnimate(Join(Join(Join({ folder / "run.pvd" }, range), output), { "--frames", "1:1" })),
+      RunProgram(Join({ "render", folder / "run.pvd", "--output", folder / "film.png" }, range)),
+    };
+    if (step == folder / "run_8.vtk") // Without a range, the first step has the defaults.
+    {
+      outcomes.push_back(RunAnimate(Join(Join(list, output), prepare)));
+      outcomes.push_back(RunAnimate(Join(Join(list, output), { "--frames", "1:1" })));
+    }
+    for (const ProgramResult& outcome : outcomes)
+    {
+      EXPECT_EQ(outcome.Status, 2) << step;
+      EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+      EXPECT_NE(outcome.Errors.find(step), std::string::npos) << outcome.Errors;
+    }
+  }
+  WriteFileSeries(folder);
+  EXPECT_EQ(folder.List(),
+    (std::vector<std::string>{
+      "run.pvd", "run.vtk.series", "run_10.vtk", "run_8.vtk", "run_9.vtk" }));
+}
+
+TEST(FilmParts, UnreadableStepDoesNotAffectOtherScenes)
+{
+  const Folder folder("scenes");
+  WriteFileSeries(folder);
+  std::string steps = ReadText(folder / "run.pvd");
+  WriteText(folder / "bad.pvd", steps.replace(steps.find("run_9"), 5, "gone_"));
+  const ProgramResult outcome = RunProgram(
+    { "render", folder / "bad.pvd", folder / "run.pvd", "--output", folder / "{name}.png",
+      "--coloring-array", "T", "--coloring-range", "all", "--resolution", "36,24" });
+  EXPECT_EQ(outcome.Status, 2);
+  EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+  EXPECT_NE(outcome.Errors.find("gone_.vtk: no such file"), std::string::npos) << outcome.Errors;
+  EXPECT_TRUE(std::filesystem::exists(folder / "run.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "bad.png"));
+}
+
 TEST(FilmParts, ReportInvalidUse)
 {
   const Folder folder("bad-parts");
