@@ -42,6 +42,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <functional>
+#include <stdexcept>
 #include <vector>
 
 namespace penumbra
@@ -314,9 +315,30 @@ void AddSun(vtkRenderer* renderer, const double* direction)
   renderer->AddLight(sun);
 }
 
+/// The meshes whose names contain `part`.
+std::vector<OcclusionMesh> FindMeshes(const std::string& part)
+{
+  std::vector<OcclusionMesh> found;
+  std::string names;
+  for (const OcclusionMesh& mesh : MakeMeshes())
+  {
+    names += (names.empty() ? "" : ", ") + mesh.Name;
+    if (mesh.Name.find(part) != std::string::npos)
+    {
+      found.push_back(mesh);
+    }
+  }
+  if (found.empty())
+  {
+    throw std::runtime_error("no mesh " + part + "; meshes: " + names);
+  }
+  return found;
+}
+
 /// Measures occlusion, or indirect light.
 void MeasureMeshes(LightBenchmark& benchmark, bool isIndirect)
 {
+  const std::vector<OcclusionMesh> meshes = FindMeshes(benchmark.Mesh);
   const int width = benchmark.Width.empty() ? 500 : std::atoi(benchmark.Width.c_str());
   const int size[2] = { width, width * 3 / 5 };
   const double divisor =
@@ -330,12 +352,8 @@ void MeasureMeshes(LightBenchmark& benchmark, bool isIndirect)
     "| mesh | rays per covered pixel | CPU s plain | ratio | RMSE | estimate | tiles above, %% | "
     "falsely reported, %% | above with a low estimate, %% "
     "|\n|---|---|---|---|---|---|---|---|---|\n");
-  for (const OcclusionMesh& shown : MakeMeshes())
+  for (const OcclusionMesh& shown : meshes)
   {
-    if (shown.Name.find(benchmark.Mesh) == std::string::npos)
-    {
-      continue;
-    }
     const vtkSmartPointer<vtkPolyData> mesh = shown.Make(benchmark.Data);
     const vtkSmartPointer<vtkRenderer> lit = MakeRenderer(mesh, shown, true);
     ReferenceSettings settings{ 0.0, { 0.48, 0.6, 0.64 } };
