@@ -57,9 +57,11 @@ class _Report:
                   for outcome in ("equal", "near", "updated", "failed")}
         line = ", ".join(f"{count} {outcome}" for outcome, count in counts.items() if count)
         terminalreporter.write_sep("-", "penumbra_regression")
-        terminalreporter.write_line(f"{len(self.rows)} images: {line}")
-        if counts["failed"] or self.config.getoption("--penumbra-report"):
-            from penumbra.regression import write_report
+        terminalreporter.write_line(f"{len(self.rows)} image{'s' * (len(self.rows) > 1)}: {line}")
+        from penumbra.regression import remove_report, write_report
+        if not counts["failed"] and not self.config.getoption("--penumbra-report"):
+            remove_report(report_folder(self.config))
+        else:
             try:
                 terminalreporter.write_line(f"report: {write_report(report_folder(self.config), self.rows)}")
             except OSError as error:

@@ -28,6 +28,15 @@
 namespace
 {
 
+void RequireScene(bool exists)
+{
+  if (!exists)
+  {
+    throw std::runtime_error(
+      "No renderer: call SetRenderer(), or connect data sets to the input port.");
+  }
+}
+
 void RequireUsable(const penumbra::Scene& scene)
 {
   if (!scene.ViewCamera.IsUsable())
@@ -135,6 +144,7 @@ void vtkPenumbraRayCaster::Internals::Prepare(
     return;
   }
   this->Growing.reset();
+  RequireScene(this->Renderer || !data.empty() || this->Distribution); // a rank may have no data
   const penumbra::ExtractionOptions options = this->MakeExtractionOptions(self);
   if (this->UpdatePrepared(self, options))
   {

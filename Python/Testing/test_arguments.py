@@ -246,3 +246,17 @@ def test_accessors_and_functions_have_the_same_colors(plotter):
         assert parse_color("color", color) == pytest.approx(expected)
     with pytest.raises(ValueError, match="environment_color must be"):
         plotter.penumbra.ray_cast(indirect_light=True, environment_color="#zzzzzz")
+
+
+@pytest.mark.parametrize("state, error", [
+    ({"radius": -1}, ValueError), ({"strength": 2.0}, ValueError), ({"tolerance": 0.0}, ValueError),
+    ({"ambient_oclusion": True}, TypeError), ({"light_shafts": "no"}, TypeError), ({"radius": "large"}, TypeError)])
+def test_render_passes_provider_refuses_wrong_states(state, error):
+    pytest.importorskip("pyvista_render_passes")
+    passes = pytest.importorskip("pyvista").Plotter(off_screen=True).render_passes
+    before = passes.get_state()["providers"]["penumbra"]
+    with pytest.raises(error, match=next(iter(state))):
+        passes.set_state({"providers": {"penumbra": state}})
+    assert passes.get_state()["providers"]["penumbra"] == before
+    passes.set_state({"providers": {"penumbra": {"radius": 2, "ambient_occlusion": True}}})
+    assert passes.get_state()["providers"]["penumbra"]["radius"] == 2

@@ -98,6 +98,26 @@ class Looks(unittest.TestCase):
         plotter.penumbra.look("outdoor")
         self.assertEqual(plotter.penumbra.describe(), "Look(outdoor) + Shadows(light_angle=3) + IndirectLight(bounces=2)")
 
+    def test_are_part_of_the_representation(self):
+        plotter = scene()
+        self.assertEqual(repr(plotter.penumbra), "<penumbra of a plotter: no effects>")
+        plotter.penumbra.look("studio")
+        self.assertEqual(repr(plotter.penumbra),
+                         "<penumbra of a plotter: Look(studio) + AmbientOcclusion(rays only, strength=0.85)>")
+        plotter.close()
+        self.assertIn("penumbra of a plotter", repr(plotter.penumbra))
+
+    def test_are_described_with_the_effects_of_pyvista_and_vtk(self):
+        plotter = scene()
+        plotter.enable_ssao(radius=0.25)
+        self.assertEqual(plotter.penumbra.describe(), "AmbientOcclusion(radius=0.25, strength=1)")
+        plotter.enable_shadows()
+        self.assertEqual(plotter.penumbra.describe(), "AmbientOcclusion(radius=0.25, strength=1) + Shadows")
+        plotter = scene()
+        plotter.renderer.UseSSAOOn()
+        plotter.renderer.SetSSAORadius(0.75)
+        self.assertEqual(plotter.penumbra.describe(), "AmbientOcclusion(radius=0.75, strength=1)")
+
     def test_have_names(self):
         with self.assertRaisesRegex(ValueError, "name must be"):
             scene().penumbra.look("dramatic")

@@ -3,8 +3,10 @@
 """Tests of the messages of VTK in calls of several threads."""
 import concurrent.futures
 import threading
+import warnings
 
 import pytest
+import pyvista
 
 import penumbra
 from penumbra import messages
@@ -82,3 +84,31 @@ def test_errors_leave_the_output_as_it_was():
     with pytest.raises(ZeroDivisionError), penumbra.messages_as_warnings():
         1 / 0
     assert state() == before
+
+
+def test_errors_of_several_lines_have_the_line_that_says_what_happened():
+    with pytest.raises(RuntimeError) as raised, penumbra.messages_as_warnings():
+        penumbra.vtkPenumbraIrradianceFilter().Update()
+    assert str(raised.value) == "Algorithm vtkPenumbraIrradianceFilter returned failure for request REQUEST_DATA_OBJECT"
+
+
+def test_warnings_of_a_render_are_printed_if_they_are_errors(capfd):
+    plotter = pyvista.Plotter(off_screen=True, lighting="none", window_size=(40, 30))
+    plotter.add_mesh(pyvista.Cone())
+    plotter.add_light(pyvista.Light(light_type="headlight"))
+    with warnings.catch_warnings(record=True) as printed:
+        warnings.simplefilter("error", penumbra.PenumbraWarning)
+        plotter.penumbra.enable_light_shafts(scattering=1)
+        assert plotter.screenshot(return_img=True).shape == (30, 40, 3)
+    assert any(str(each.message).startswith("No light casts light shafts") for each in printed)
+    assert "Traceback" not in capfd.readouterr().err
+
+
+def test_unknown_kernel_is_one_error():
+    plotter = pyvista.Plotter(off_screen=True, window_size=(40, 30))
+    with warnings.catch_warnings(record=True) as shown:
+        warnings.simplefilter("always", penumbra.PenumbraWarning)
+        with pytest.raises(ValueError, match="kernel must be 'automatic', 'traced' or a name .*, not 'zz'"):
+            plotter.penumbra.enable_temporal_ssao(kernel="zz")
+    assert not [each for each in shown if each.category is penumbra.PenumbraWarning]
+    assert plotter.penumbra.describe() == "no effects"

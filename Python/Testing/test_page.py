@@ -33,8 +33,9 @@ def test_examples_run_without_warnings(folder):
         for block in blocks:
             exec(compile(block, str(PAGE), "exec"), names)
     assert (folder / "image.png").exists()
-    assert names["occlusion"].shape == names["sunlight"].shape == (5,)
-    assert names["light"].shape == (5, 3)
+    assert names["occlusion"].shape == names["sunlight"].shape == (9,)
+    assert names["light"].shape == (9, 3)
+    assert names["occlusion"].max() > 0.15
     assert names["result"].rmse == 0.0
     assert names["image"].ndim == 3
     for mesh, array in (("baked", "AmbientOcclusion"), ("lit", "Irradiance"), ("sunny", "DirectLight")):

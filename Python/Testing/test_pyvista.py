@@ -243,9 +243,9 @@ class RayCastImage(unittest.TestCase):
     def test_follows_the_passes_that_are_enabled(self):
         plotter = scene()
         plain = plotter.penumbra.ray_cast()
-        self.assertIn("no pass", repr(plotter.penumbra))
+        self.assertIn("no effects", repr(plotter.penumbra))
         plotter.penumbra.enable_temporal_ssao(radius=1.0, strength=0.5)
-        self.assertIn("ambient occlusion", repr(plotter.penumbra))
+        self.assertIn("AmbientOcclusion(", repr(plotter.penumbra))
         followed = plotter.penumbra.ray_cast()
         numpy.testing.assert_array_equal(
             followed, plotter.penumbra.ray_cast(ambient_occlusion=True, radius=1.0, strength=0.5))
@@ -259,7 +259,7 @@ class RayCastImage(unittest.TestCase):
         occlusion.SetRadius(1.0)
         occlusion.SetStrength(0.5)
         self.assertIs(penumbra.vtkPenumbraTemporalSSAOPass.FindIn(plotter.renderer), occlusion)
-        self.assertIn("ambient occlusion", repr(plotter.penumbra))
+        self.assertIn("AmbientOcclusion(", repr(plotter.penumbra))
         with warnings.catch_warnings():
             warnings.simplefilter("error", penumbra.PenumbraWarning)
             followed = plotter.penumbra.ray_cast()
@@ -278,7 +278,7 @@ class RayCastImage(unittest.TestCase):
         plotter = lit()
         penumbra.vtkPenumbraTemporalSSAOPass.AddTo(plotter.renderer)
         penumbra.vtkPenumbraLightShaftPass.AddTo(plotter.renderer)
-        self.assertIn("light shafts and ambient occlusion", repr(plotter.penumbra))
+        self.assertRegex(repr(plotter.penumbra), r"AmbientOcclusion\(.*\) \+ LightShafts\(")
         reference = lit()
         reference.penumbra.enable_light_shafts(bounds=[-math.inf, math.inf] * 3)
         hazy = plotter.penumbra.ray_cast(ambient_occlusion=False)
@@ -496,10 +496,10 @@ class TemporalOcclusion(unittest.TestCase):
         with self.assertWarnsRegex(penumbra.PenumbraWarning, r"call disable_ssao\(\) and enable_temporal_ssao\(\)"):
             plotter.enable_ssao(radius=0.5)
             plotter.screenshot(return_img=True)
-        self.assertIn("no pass", repr(plotter.penumbra))
+        self.assertEqual(repr(plotter.penumbra), "<penumbra of a plotter: AmbientOcclusion(radius=0.5, strength=1)>")
         plotter.disable_ssao()
         plotter.penumbra.enable_temporal_ssao(radius=1.0)
-        self.assertIn("ambient occlusion", repr(plotter.penumbra))
+        self.assertIn("AmbientOcclusion(radius=1, strength=1, tolerance=0.01)", repr(plotter.penumbra))
 
     def test_rejects_invalid_arguments(self):
         plotter = scene()

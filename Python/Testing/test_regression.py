@@ -54,7 +54,7 @@ def test_update_writes_the_baseline_which_then_equals(scene, pytester):
     before = (pytester.path / BASELINE).read_bytes()
     result = scene(RAYS.format(height=1))
     result.assert_outcomes(passed=1)
-    result.stdout.fnmatch_lines(["1 images: 1 equal"])
+    result.stdout.fnmatch_lines(["1 image: 1 equal"])
     scene(RAYS.format(height=1), "--penumbra-update").assert_outcomes(passed=1)
     assert (pytester.path / BASELINE).read_bytes() == before
     assert not (pytester.path / "penumbra-report").exists()
@@ -75,11 +75,32 @@ def test_difference_fails_with_its_image_its_tiles_and_a_page(scene, pytester):
     assert "columns" in page
 
 
+def test_differences_have_their_limits(scene):
+    scene(IMAGE.format(value=200), "--penumbra-update")
+    scene(IMAGE.format(value=20).replace("[20, 30]", "[10:30]")).stdout.fnmatch_lines([
+        "*differs*, pixels 0.5 (limit 0.01), tile rmse 0.7059 (limit 0.0625), tile pixels 1 (limit 0.03125), excess*"])
+
+
+@pytest.mark.parametrize("option", ["", "--penumbra-update"])
+def test_run_without_failures_removes_the_page_of_the_run_before(scene, pytester, option):
+    scene(IMAGE.format(value=200), "--penumbra-update")
+    text = IMAGE.format(value=20).replace("[20, 30]", "[10:30]")
+    result = scene(text)
+    result.stdout.fnmatch_lines(["1 image: 1 failed"])
+    page = pytester.path / "penumbra-report/index.html"
+    assert "1 of 1 images differ" in page.read_text()
+    scene(text if option else IMAGE.format(value=200), option or "-q").assert_outcomes(passed=1)
+    assert not page.exists()
+    page.write_text("<title>a page of the user</title>")
+    scene(text if option else IMAGE.format(value=200)).assert_outcomes(passed=1)
+    assert page.exists()
+
+
 def test_given_images_may_differ_in_single_pixels(scene):
     scene(IMAGE.format(value=200), "--penumbra-update").assert_outcomes(passed=1)
     result = scene(IMAGE.format(value=180))
     result.assert_outcomes(passed=1)
-    result.stdout.fnmatch_lines(["1 images: 1 near"])
+    result.stdout.fnmatch_lines(["1 image: 1 near"])
 
 
 def test_other_size_fails_with_both_sizes(scene, pytester):

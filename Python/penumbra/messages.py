@@ -34,6 +34,15 @@ def _sentence(text: str) -> str:
     return re.sub(r"^\w+ \(0x[0-9a-fA-F]+\): ", "", text).strip()
 
 
+def _error_line(text: str) -> str:
+    """Return the line of an error that says what happened, without the state of objects that VTK prints after it."""
+    line = text.splitlines()[0] if text else "VTK reported an error without a text"
+    request = re.search(r"(?m)^ *Request: (\w+)", text)
+    if request and (failure := re.match(r"(Algorithm \w+) \(.*\) (returned failure for request)", line)):
+        return f"{failure[1]} {failure[2]} {request[1]}"
+    return line
+
+
 def _split(text: str) -> tuple[list[str], list[str]]:
     """Return the warnings and the errors in the output of VTK."""
     messages = re.split(r"(?m)^(?=(?:Generic )?(?:Warning|ERROR): In )", text)
@@ -124,6 +133,7 @@ def messages_as_warnings() -> Iterator[None]:
     --------
     >>> import penumbra
     >>> caster = penumbra.vtkPenumbraRayCaster()
+    >>> caster.SetRenderer(renderer)
     >>> with penumbra.messages_as_warnings():
     ...     caster.Update()
     """
@@ -138,14 +148,21 @@ def _report(text: str, stacklevel: int, ignored: Sequence[str] = ()) -> None:
         if not note.startswith(tuple(ignored)):
             warn(note, stacklevel)
     if errors:
-        message = errors[0].splitlines()[-1]
+        message = _error_line(errors[0])
         raise (MemoryError if message.startswith("Out of memory") else RuntimeError)(message)
 
 
 def observe_warnings(vtk_object: Any) -> None:
-    """Turn the messages of an object that works later, such as a render pass, into Python warnings."""
+    """Turn the messages of an object that works later, such as a render pass, into Python warnings.
+
+    Filters that make warnings errors do not stop it: its warnings are printed.
+    """
     def emit(caller: object, event: str, text: str) -> None:
-        warn(_sentence(text), stacklevel=1)
+        try:
+            warn(_sentence(text), stacklevel=1)
+        except PenumbraWarning as warning:  # an error by a filter, but no exception leaves a render: VTK prints a traceback
+            line = warning.__traceback__.tb_lineno if warning.__traceback__ else 0
+            warnings.showwarning(warning, PenumbraWarning, __file__, line)
 
     emit.CallDataType = vtk_module("vtkCommonCore").VTK_STRING  # type: ignore[attr-defined]
     if not vtk_object.HasObserver("WarningEvent"):

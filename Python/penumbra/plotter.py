@@ -11,7 +11,8 @@ from typing import Any
 import numpy
 import pyvista
 
-from ._classes import vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass
+from ._classes import (vtkPenumbraKernels, vtkPenumbraLightShaftPass, vtkPenumbraOcclusionEstimator,
+                       vtkPenumbraTemporalSSAOPass)
 from .baking import ColorLike, Falloff
 from .conversion import check_choice, check_integer, check_radius, check_range, check_size
 from .graphics import check_options, check_path, write_graphic
@@ -80,9 +81,7 @@ class PlotterAccessor:
         return self._plotter.renderer
 
     def __repr__(self) -> str:
-        names = {"vtkPenumbraTemporalSSAOPass": "ambient occlusion", "vtkPenumbraLightShaftPass": "light shafts"}
-        found = [names[each.GetClassName()] for each in passes_of(self._renderer) if each.GetClassName() in names]
-        return f"<penumbra of a plotter: {' and '.join(found) or 'no pass'} enabled in the active renderer>"
+        return f"<penumbra of a plotter: {self.describe()}>"
 
     def _size(self, window_size: Any) -> tuple[int, int]:
         return check_size("window_size", self._plotter.window_size if window_size is None else window_size)
@@ -122,6 +121,9 @@ class PlotterAccessor:
         check_radius(radius)
         check_range("tolerance", tolerance, 1e-4, 1.0)
         check_range("strength", strength, 0.0, 1.0)
+        if not (kernel == "automatic" or vtkPenumbraKernels.Find(kernel) >= 0
+                or vtkPenumbraOcclusionEstimator.IsRegistered(kernel)):
+            raise ValueError(f"kernel must be 'automatic', 'traced' or a name of vtkPenumbraKernels, not {kernel!r}")
         self._require_window()
         require_opengl(self._plotter.render_window)
         occlusion = vtkPenumbraTemporalSSAOPass.AddTo(self._renderer)
@@ -133,10 +135,6 @@ class PlotterAccessor:
         occlusion.SetTolerance(tolerance)
         occlusion.SetStrength(strength)
         occlusion.SetKernelName(kernel)
-        if occlusion.GetKernelName() != kernel:
-            self.disable_temporal_ssao()
-            raise ValueError(
-                f"kernel must be 'automatic', 'traced' or a name of vtkPenumbraKernels, not {kernel!r}")
         self._plotter.render()
         return occlusion
 
@@ -254,9 +252,14 @@ class PlotterAccessor:
             unit = " of the bounds" if occlusion.GetRadiusUnit() == occlusion.FRACTION_OF_BOUNDS else ""
             parts.append(f"AmbientOcclusion(radius={occlusion.GetRadius():g}{unit}, "
                          f"strength={occlusion.GetStrength():g}, tolerance={occlusion.GetTolerance():g})")
+        elif "vtkSSAOPass" in found:  # of PyVista; rays take its radius
+            parts.append(f"AmbientOcclusion(radius={found['vtkSSAOPass'].GetRadius():g}, "
+                         f"strength={settings.get('strength', 1.0):g})")
         elif settings.get("ambient_occlusion"):
             strength = settings.get("strength")
             parts.append("AmbientOcclusion(rays only" + (f", strength={strength:g})" if strength else ")"))
+        elif self._renderer.GetUseSSAO():
+            parts.append(f"AmbientOcclusion(radius={self._renderer.GetSSAORadius():g}, strength=1)")
         if "vtkPenumbraLightShaftPass" in found:
             parts.append(f"LightShafts(tolerance={found['vtkPenumbraLightShaftPass'].GetTolerance():g})")
         if settings.get("shadows") or self._renderer.GetUseShadows() or "vtkShadowMapPass" in found:

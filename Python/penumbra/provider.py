@@ -9,6 +9,7 @@ from typing import Any
 from pyvista_render_passes import BasePassProvider
 
 from ._classes import vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass
+from .conversion import check_radius, check_range
 from .messages import observe_warnings
 from .passes import medium_bounds
 
@@ -40,7 +41,18 @@ class OcclusionProvider(BasePassProvider):
         return dict(self._state)
 
     def set_state(self, state: Mapping[str, Any]) -> None:
-        self._state.update({name: state[name] for name in DEFAULTS if name in state})
+        unknown = [name for name in state if name not in DEFAULTS]
+        if unknown:
+            raise TypeError(f"the provider penumbra has no setting {', '.join(map(repr, unknown))}: use "
+                            f"{', '.join(DEFAULTS)}")
+        changed = {**self._state, **state}
+        for name in ("ambient_occlusion", "light_shafts"):
+            if not isinstance(changed[name], bool):
+                raise TypeError(f"{name} must be True or False, not {changed[name]!r}")
+        check_radius(changed["radius"])
+        check_range("strength", changed["strength"], 0.0, 1.0)
+        check_range("tolerance", changed["tolerance"], 1e-4, 1.0)
+        self._state = changed
 
     def veto(self, settings: Mapping[str, Any]) -> str | None:
         if settings.get("ssao") and self._state["ambient_occlusion"]:

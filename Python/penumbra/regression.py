@@ -24,6 +24,8 @@ from .messages import messages_as_warnings
 from .rendering import render
 
 OPENGL_TOLERANCE = 1.0 / 16.0
+LIMITS = {"pixel_limit": 0.01, "tile_pixel_limit": 1.0 / 32.0}
+LIMITED = {"tile rmse": "tolerance", "pixels": "pixel_limit", "tile pixels": "tile_pixel_limit"}
 
 
 def read_png(path: pathlib.Path) -> npt.NDArray[Any]:
@@ -77,6 +79,15 @@ def baseline_name(test: str) -> str:
         if f"{plain}]" != parameters:
             name += f"-{hashlib.sha256(parameters.encode()).hexdigest()[:8]}"
     return name
+
+
+def _with_limits(found: Comparison, limits: dict[str, float]) -> str:
+    """Return the metrics, with the limit of each that has one."""
+    parts = []
+    for part in str(found).split(", "):
+        name = part.rpartition(" ")[0]
+        parts.append(f"{part} (limit {limits[LIMITED[name]]:.4g})" if name in LIMITED else part)
+    return ", ".join(parts)
 
 
 class Regression:
@@ -137,7 +148,7 @@ class Regression:
         image = self._pixels(scene) if is_image else render(scene, **options)
         case = self._next_name(name)
         path = self._folder / f"{case}.png"
-        limits = {"tolerance": (OPENGL_TOLERANCE if is_image else 0.0) if tolerance is None else tolerance}
+        limits = {**LIMITS, "tolerance": (OPENGL_TOLERANCE if is_image else 0.0) if tolerance is None else tolerance}
         if pixel_limit is not None:
             limits["pixel_limit"] = pixel_limit
         if tile_pixel_limit is not None:
@@ -181,7 +192,7 @@ class Regression:
                 if found.near:
                     self._report(case, "equal" if found.maximum == 0.0 else "near", found, None)
                     return found
-                problem = f"The image differs from {shown}: {found}.\n" + "".join(
+                problem = f"The image differs from {shown}: {_with_limits(found, limits)}.\n" + "".join(
                     f"  worst tile, {tile}\n" for tile in found.worst)
         else:
             baseline = None
@@ -255,6 +266,14 @@ def _section(folder: pathlib.Path, row: dict[str, Any]) -> str:
             f"<p>If the image is right: <code>{update}</code></p></section>")
 
 
+def remove_report(folder: pathlib.Path) -> None:
+    """Remove the page of an earlier run, if write_report() wrote it: it shows failures that are none now."""
+    path = folder / "index.html"
+    with contextlib.suppress(OSError, UnicodeDecodeError):
+        if re.search(r"<title>\d+ of \d+ images differ</title>", path.read_text(encoding="utf-8")[:300]):
+            path.unlink()
+
+
 def write_report(folder: pathlib.Path, rows: Sequence[dict[str, Any]]) -> pathlib.Path:
     """Write a page that lists all comparisons and shows the images of those that failed."""
     rows = sorted(rows, key=lambda row: (row["outcome"] != "failed", row["test"], row["name"]))
@@ -262,8 +281,9 @@ def write_report(folder: pathlib.Path, rows: Sequence[dict[str, Any]]) -> pathli
     table = "".join(
         f'<tr><td class="{row["outcome"]}">{row["outcome"]}</td><td>{html.escape(row["test"])}</td>'
         f"<td>{html.escape(row['name'])}</td><td>{html.escape(row['measured'])}</td></tr>" for row in rows)
-    page = (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{len(failed)} of {len(rows)} images '
-            f"differ</title><style>{STYLE}</style></head><body><h1>{len(failed)} of {len(rows)} images differ</h1>"
+    title = f"{len(failed)} of {len(rows)} images differ"
+    page = (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title>'
+            f"<style>{STYLE}</style></head><body><h1>{title}</h1>"
             f"{''.join(_section(folder, row) for row in failed)}<section><h2>All images</h2><table>"
             f"<tr><th>result</th><th>test</th><th>baseline</th><th>difference</th></tr>{table}</table></section>"
             "</body></html>\n")

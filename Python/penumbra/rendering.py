@@ -396,8 +396,8 @@ def render(
 ) -> Image | tuple[Image, dict[str, Any]]:
     """Render an image by ray casting, antialiased to a tolerance.
 
-    No window, display or OpenGL is used, and the image has the same bits on every machine and with any number of
-    threads.
+    No window, display or OpenGL is used. The image has the same bits for any number of threads; between instruction
+    sets, single pixels may differ.
 
     Parameters
     ----------

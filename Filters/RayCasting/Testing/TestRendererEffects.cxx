@@ -52,11 +52,12 @@ protected:
     this->Caster->SetRenderer(this->Renderer);
     this->Caster->SetResolution(Size, Size);
     vtkNew<vtkCallbackCommand> observer;
-    observer->SetClientData(&this->Warnings);
+    observer->SetClientData(&this->Messages);
     observer->SetCallback([](vtkObject*, unsigned long, void* data, void* text) {
       *static_cast<std::string*>(data) += static_cast<const char*>(text);
     });
     this->Caster->AddObserver(vtkCommand::WarningEvent, observer);
+    this->Caster->AddObserver(vtkCommand::ErrorEvent, observer);
   }
 
   void Add(vtkPolyDataAlgorithm* source)
@@ -92,7 +93,7 @@ protected:
 
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkPenumbraRayCaster> Caster;
-  std::string Warnings;
+  std::string Messages; ///< warnings and errors
 };
 
 using CasterPointer = vtkPenumbraRayCaster*;
@@ -116,7 +117,7 @@ TEST_F(RendererEffects, UseShadowsCastsShadows)
 TEST_F(RendererEffects, UseSSAOComputesOcclusionOfItsRadius)
 {
   const std::vector<float> plain = this->Render();
-  EXPECT_EQ(this->Warnings, "");
+  EXPECT_EQ(this->Messages, "");
   this->Renderer->UseSSAOOn();
   this->Renderer->SetSSAORadius(0.7);
   const std::vector<float> expected = this->RenderWith([](CasterPointer c) {
@@ -127,7 +128,7 @@ TEST_F(RendererEffects, UseSSAOComputesOcclusionOfItsRadius)
   EXPECT_TRUE(this->Caster->GetAmbientOcclusion());
   EXPECT_EQ(this->Render(), expected);
   EXPECT_NE(expected, plain);
-  EXPECT_NE(this->Warnings.find("replaced by ray-cast ambient occlusion"), std::string::npos);
+  EXPECT_NE(this->Messages.find("replaced by ray-cast ambient occlusion"), std::string::npos);
 }
 
 TEST_F(RendererEffects, RadiusAndStrengthOfTheCasterWin)
@@ -151,7 +152,7 @@ TEST_F(RendererEffects, ExplicitOptionsWin)
   this->Renderer->UseSSAOOn();
   EXPECT_FALSE(this->Caster->GetShadows());
   EXPECT_EQ(this->Render(), plain);
-  EXPECT_EQ(this->Warnings, "");
+  EXPECT_EQ(this->Messages, "");
 }
 
 TEST_F(RendererEffects, AreOffWithoutARenderer)
@@ -159,6 +160,20 @@ TEST_F(RendererEffects, AreOffWithoutARenderer)
   this->Caster->SetRenderer(nullptr);
   EXPECT_FALSE(this->Caster->GetShadows());
   EXPECT_FALSE(this->Caster->GetAmbientOcclusion());
+}
+
+TEST_F(RendererEffects, MissingRendererIsAnError)
+{
+  this->Caster->SetRenderer(nullptr);
+  this->Caster->Update();
+  EXPECT_NE(this->Messages.find("No renderer: call SetRenderer()"), std::string::npos)
+    << this->Messages;
+  EXPECT_EQ(this->Caster->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+  this->Messages.clear();
+  vtkNew<vtkSphereSource> sphere; // data sets need no renderer
+  this->Caster->SetInputConnection(sphere->GetOutputPort());
+  EXPECT_FALSE(this->Render().empty());
+  EXPECT_EQ(this->Messages, "");
 }
 
 TEST_F(RendererEffects, OcclusionArrayIsComputedOnlyOnRequest)
