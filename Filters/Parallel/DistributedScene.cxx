@@ -224,12 +224,17 @@ void DistributedScene::Exchange(Scene& scene, LightRays lightRays)
     [&](int rank) { return sendsAll ? all : messages[rank].Take(); }, this->Ranks, this->Counts));
   scene.Surfaces = Assemble(united, received);
   CountPrimitives(scene, this->Counts);
-  if (needsAll && this->Ranks.IsFirst() && this->Ranks.GetCount() > 1)
+  if (needsAll && this->Ranks.GetCount() > 1)
   {
-    this->Warn(
-      "Soft shadows, ambient occlusion, indirect light and media need the surfaces of all ranks on "
-      "each rank, which received " +
-      std::to_string(this->Counts.SceneBytes) + " bytes of them.");
+    std::vector<double> bytes(1, static_cast<double>(this->Counts.SceneBytes));
+    this->Ranks.Sum(bytes);
+    if (this->Ranks.IsFirst())
+    {
+      this->Warn("Soft shadows, ambient occlusion, indirect light and media need the surfaces of "
+                 "all ranks on "
+                 "each rank. All together received " +
+        std::to_string(static_cast<long long>(bytes[0])) + " bytes of them.");
+    }
   }
 }
 

@@ -115,6 +115,9 @@ class NoDisplay(unittest.TestCase):
         self.assertIn("baked", run.stdout)
         messages = [line for line in errors(run) if "The render view needs an X display" in line]
         self.assertEqual(len(messages), 1, run.stderr)
+        with open(os.path.join(ROOT, "Documentation/user/ParaView.md")) as page:
+            command = re.search(r"`(xvfb-run .* script\.py)`", page.read())[1]
+        self.assertIn(command, run.stderr)
 
 
 class Server(unittest.TestCase):

@@ -11,6 +11,7 @@ from plugin import *
 from paraview import smstate, smtrace
 from paraview.modules import vtkRemotingServerManager
 
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SETTINGS = {
     "Tolerance": 0.02, "AmbientOcclusion": 0, "OcclusionRadius": 0.2, "OcclusionStrength": 0.5,
     "OcclusionKernel": "horizon", "LightShafts": 1, "ShaftDensity": 0.5, "ShaftExposure": 3.0,
@@ -57,6 +58,41 @@ class RenderViewPenumbra(unittest.TestCase):
         image = self.plain()
         other = sphere_view("RenderView")
         numpy.testing.assert_array_equal(image, screenshot(other, self.folder.name))
+
+    def test_tone_mapping_disables_the_effects(self):
+        other = sphere_view("RenderView")
+        plain = screenshot(other, self.folder.name)
+        other.UseToneMapping = 1
+        mapped = screenshot(other, self.folder.name)
+        self.assertGreater(rmse(mapped, plain), 8)
+        for effect, warnings in (None, 0), ("AmbientOcclusion", 1), ("StillByRays", 0), ("LightShafts", 0):
+            self.view.AmbientOcclusion = 0
+            if effect:
+                setattr(self.view, effect, 1)
+            before = self.image()
+            with captured_messages() as messages:
+                self.view.UseToneMapping = 1
+                numpy.testing.assert_array_equal(self.image(), mapped, str(effect))
+                self.view.UseToneMapping = 0
+            self.assertEqual(messages.GetOutput().count("while tone mapping is on"), warnings, effect)
+            numpy.testing.assert_array_equal(self.image(), before, str(effect))
+            if effect:
+                setattr(self.view, effect, 0)
+
+    def test_warns_of_a_missed_tolerance_by_its_own_setting(self):
+        self.view = CreateView("PenumbraRenderView", ViewSize=[100, 100])
+        Show(OpenDataFile(os.path.join(ROOT, "Data", "head.ply")), self.view)
+        ResetCamera(self.view)
+        self.view.StillByRays = self.view.LightShafts = 1
+        self.view.SunAngle = 2
+        self.view.Tolerance = 0.001
+        self.view.UseLight = 0
+        with captured_messages() as messages:
+            self.image()
+        self.assertEqual(messages.GetOutput().count("The tolerance of 0.001 was not reached"), 1,
+                         messages.GetOutput())
+        self.assertIn("Increase Tolerance.", messages.GetOutput())
+        self.assertNotIn("LightTolerance", messages.GetOutput())
 
     def test_screenshots_have_converged(self):
         first = self.image()

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Shared by the tests: loads the plugin into pvpython, creates scenes with closed forms and runs the tests."""
+import contextlib
 import os
 import sys
 import unittest
@@ -10,6 +11,7 @@ import paraview.simple
 from paraview import servermanager
 from paraview.simple import *  # noqa: F401,F403
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 SPHERE_RADIUS = 0.5
@@ -122,6 +124,17 @@ def statistic(data, name):
 def resident_megabytes():
     with open("/proc/self/statm") as file:
         return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 1e6
+
+
+@contextlib.contextmanager
+def captured_messages():
+    """Give an output window that keeps the messages of VTK instead of printing them."""
+    before, window = vtkOutputWindow.GetInstance(), vtkStringOutputWindow()
+    vtkOutputWindow.SetInstance(window)
+    try:
+        yield window
+    finally:
+        vtkOutputWindow.SetInstance(before)
 
 
 def rmse(a, b):

@@ -26,7 +26,9 @@
 #include "vtkVolumeCollection.h"
 
 #include <algorithm>
+#include <regex>
 #include <set>
+#include <sstream>
 
 vtkStandardNewMacro(vtkPenumbraRenderView);
 
@@ -69,6 +71,18 @@ bool HasVisibleTranslucentActors(vtkRenderer* renderer)
   return false;
 }
 
+/// Returns a message of the ray caster without its source, with the tolerance of the view, which has only one.
+std::string TranslateTolerance(const std::string& message, double tolerance)
+{
+  const std::size_t source = message.find("): ");
+  std::string text = source == std::string::npos ? message : message.substr(source + 3);
+  text.erase(text.find_last_not_of('\n') + 1);
+  std::ostringstream number;
+  number << "The tolerance of " << tolerance << " was";
+  text = std::regex_replace(text, std::regex("The tolerance of [^ ]+ was"), number.str());
+  return std::regex_replace(text, std::regex("(Tolerance and )?LightTolerance\\."), "Tolerance.");
+}
+
 }
 
 vtkPenumbraRenderView::vtkPenumbraRenderView()
@@ -79,6 +93,8 @@ vtkPenumbraRenderView::vtkPenumbraRenderView()
   constexpr float last = -1.f;
   this->Implementation->StartObserver = this->GetRenderer()->AddObserver(
     vtkCommand::StartEvent, this, &vtkPenumbraRenderView::CastDistributedRays, last);
+  this->Implementation->Pass->Caster->AddObserver(
+    vtkCommand::WarningEvent, this, &vtkPenumbraRenderView::ReportWarning);
 }
 
 vtkPenumbraRenderView::~vtkPenumbraRenderView()
@@ -104,6 +120,16 @@ void vtkPenumbraRenderView::SetOcclusionKernel(const char* name)
     this->OcclusionKernel = kernel;
     this->Modified();
   }
+}
+
+void vtkPenumbraRenderView::SetUseToneMapping(bool use)
+{
+  if (this->SynchronizedRenderers->GetImageProcessingPass() == this->Implementation->Pass)
+  {
+    // The superclass ignores tone mapping if there is another pass.
+    this->SynchronizedRenderers->SetImageProcessingPass(nullptr);
+  }
+  this->Superclass::SetUseToneMapping(use);
 }
 
 void vtkPenumbraRenderView::UpdateSunLight()
@@ -281,6 +307,12 @@ void vtkPenumbraRenderView::WarnOnce(const char* text)
   }
 }
 
+void vtkPenumbraRenderView::ReportWarning(vtkObject*, unsigned long, void* message)
+{
+  vtkWarningMacro(<< TranslateTolerance(
+                    static_cast<const char*>(message), this->PenumbraTolerance));
+}
+
 void vtkPenumbraRenderView::AboutToRenderOnLocalProcess(bool interactive)
 {
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
@@ -290,16 +322,19 @@ void vtkPenumbraRenderView::AboutToRenderOnLocalProcess(bool interactive)
   pass->DistributedBackground.emplace(this->GetRenderer());
   vtkImageProcessingPass* present = this->SynchronizedRenderers->GetImageProcessingPass();
   const bool hasWork = pass->UseOcclusion || pass->UseShafts || pass->UseRays;
-  const bool isToneMapped = hasWork && present && present != pass;
+  const bool isToneMapped = present && present != pass;
   if (pass->HasDistributedRays)
   {
     this->AgreeOnRays(!isToneMapped && !this->GetMakingSelection());
   }
   if (isToneMapped)
   {
-    this->WarnOnce(
-      "Ambient occlusion and light shafts are not rendered while tone mapping is on. Turn off tone "
-      "mapping to render them.");
+    if (hasWork)
+    {
+      this->WarnOnce("The effects and rays of this view are not rendered while tone mapping is on. "
+                     "Turn off tone mapping to render them.");
+    }
+    this->SynchronizedRenderers->SetUseDepthBuffer(false);
     return;
   }
   // The composited image is only available on the first rank.

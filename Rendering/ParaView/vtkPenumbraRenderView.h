@@ -165,12 +165,15 @@ public:
 
   ///@{
   /**
-   * If on, still renders are ray cast, with antialiasing errors below 1/256, by all ranks together if
-   * their images are composited. With volumes, the view is rasterized. Default: off.
+   * If on, still renders are ray cast, with the errors that PenumbraTolerance accepts, by all ranks
+   * together if their images are composited. With volumes, the view is rasterized. Default: off.
    */
   vtkSetMacro(StillByRays, bool);
   vtkGetMacro(StillByRays, bool);
   ///@}
+
+  /** Tone mapping disables the effects and rays, with one warning. */
+  void SetUseToneMapping(bool use); // hides that of the superclass, which is not virtual
 
 protected:
   vtkPenumbraRenderView();
@@ -190,6 +193,7 @@ private:
   void AgreeOnRays(bool isPossible);
   void CastDistributedRays();
   void WarnOnce(const char* text);
+  void ReportWarning(vtkObject* caller, unsigned long event, void* message);
 
   struct Internals;
   std::unique_ptr<Internals> Implementation;

@@ -20,7 +20,8 @@ bool vtkSMPenumbraRenderViewProxy::IsContextReadyForRendering()
   {
     vtkErrorMacro("The render view needs an X display, and none is available: start an X server, "
                   "for example with "
-                  "xvfb-run -s \"-screen 0 1280x1024x24\" pvpython .... Filters do not need one.");
+                  "xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\" pvpython script.py. Filters "
+                  "do not need one.");
     this->Warned = true;
   }
   return canRender && this->Superclass::IsContextReadyForRendering();
