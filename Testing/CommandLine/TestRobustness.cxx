@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -247,6 +248,28 @@ TEST(Cancelling, EndsWorkersOfKilledSupervisor)
     "for i in $(seq 100); do kill -0 $worker 2>/dev/null || exit 0; sleep 0.05; done; exit 1");
   EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
   EXPECT_EQ(folder.List(), before);
+}
+
+TEST(Cancelling, LeavesNoPartialFileIfAllProcessesAreKilled)
+{
+  const Folder folder("all-killed");
+  WriteSpheres(folder.Path);
+  const std::vector<std::string> before = folder.List();
+  // Kills the processes when the file appears. The stopped supervisor cannot clean up.
+  const ProgramResult outcome = RunShell("cd " + Quote(folder.Path) +
+    " && { $PENUMBRA render sphere.stl --resolution 700,700 --output p.vti & } && program=$!; "
+    "until ls -A | grep -q p.vti; do kill -0 $program || exit 9; done; "
+    "worker=$(pgrep -P $program); kill -STOP $program; kill -KILL $worker $program; "
+    "wait $program 2>/dev/null; exit 0");
+  EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
+  for (const std::string& name : folder.List())
+  {
+    const bool isInput = std::find(before.begin(), before.end(), name) != before.end();
+    // The kill may come after the last byte.
+    const bool isWhole =
+      name == "p.vti" && ReadText(folder / name).find("</VTKFile>") != std::string::npos;
+    EXPECT_TRUE(isInput || isWhole || name.rfind(".p.vti.", 0) == 0) << name;
+  }
 }
 
 TEST(Cancelling, RespectsIgnoredSignals)
