@@ -107,7 +107,8 @@ void MeasureSettling(OcclusionBenchmark& benchmark)
         const std::string name = scene.Name + " " + std::to_string(size[0]) + "x" +
           std::to_string(size[1]) + ", " + kernel;
         ResultTable& table = benchmark.Results;
-        benchmark.Judge(name, "seconds until settled", seconds, 3.0, "");
+        benchmark.Judge(name, "seconds until settled", seconds, 3.0,
+          "surfaces of many small objects need more rays per pixel");
         table.Add(name, "CPU seconds until settled", secondsCPU, TargetKind::None);
         table.Add(name, "frames until settled", frames, TargetKind::None);
         table.Add(name, "longest tick, s", longest, TargetKind::None);
