@@ -255,12 +255,12 @@ TEST(Cancelling, LeavesNoPartialFileIfAllProcessesAreKilled)
   const Folder folder("all-killed");
   WriteSpheres(folder.Path);
   const std::vector<std::string> before = folder.List();
-  // Kills the processes when the file appears. The stopped supervisor cannot clean up.
+  // Kills all processes at once when the file appears.
   const ProgramResult outcome = RunShell("cd " + Quote(folder.Path) +
-    " && { $PENUMBRA render sphere.stl --resolution 700,700 --output p.vti & } && program=$!; "
-    "until ls -A | grep -q p.vti; do kill -0 $program || exit 9; done; "
-    "worker=$(pgrep -P $program); kill -STOP $program; kill -KILL $worker $program; "
-    "wait $program 2>/dev/null; exit 0");
+    " && { setsid $PENUMBRA render sphere.stl --resolution 700,700 --output p.vti & } && "
+    "program=$!; "
+    "until compgen -G '.p.vti*' || [ -e p.vti ]; do kill -0 $program || exit 9; done >/dev/null; "
+    "kill -KILL -- -$program; wait $program 2>/dev/null; exit 0");
   EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
   for (const std::string& name : folder.List())
   {
