@@ -173,7 +173,8 @@ std::vector<RenderOptions> PlanTimes(const RenderOptions& scene, const Timeline&
   return images.empty() ? std::vector<RenderOptions>{ scene } : images;
 }
 
-// Replaces scenes by their images; those whose time steps cannot be read have none. Returns the largest exit status.
+// Replaces scenes by their images; none has any if the times of one cannot be read, and those with a step that
+// cannot be read have none. Returns the largest exit status.
 int PlanImages(std::vector<RenderOptions>& images)
 {
   std::vector<std::vector<std::string>> files;

@@ -54,7 +54,7 @@ double Largest(const Frame& frame)
 int Gain(double largest, double visible)
 {
   int gain = 1;
-  while (largest > 0.0 && largest * gain < visible && largest * gain * 10 <= 1.0)
+  while (largest > 1e-8 && largest * gain < visible && largest * gain * 10 <= 1.0)
   {
     gain *= 10;
   }
@@ -113,7 +113,7 @@ Panels MakePanels(const Measured& measured)
   }
   else if (Largest(difference) == 0.0)
   {
-    panels.Text += "; the first two are equal, the values are of other images";
+    panels.Text += "; the first two are equal in this frame";
   }
   return panels;
 }

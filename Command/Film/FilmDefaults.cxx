@@ -31,20 +31,33 @@ namespace penumbra
 namespace
 {
 
-// Returns the defaults derived from one frame; empty if it shows nothing.
+// Before errors of frames that cannot be read, and that lack what an option names.
+constexpr char Unreadable = '!';
+constexpr char Lacking = '?';
+
+// Returns the defaults derived from one frame; empty if it shows nothing; or an error.
 std::string FindFrameDefaults(const StepInput& input, RenderOptions options)
 {
   ProgressLine silent("none");
   std::vector<std::string> ignored;
-  const Surfaces surfaces =
-    ReadMeshes(input.Files, GetInputOptions(options, input.Time, true), silent, ignored);
-  if (surfaces.Meshes.empty())
+  char kind = Unreadable;
+  try
   {
-    return std::string();
+    const Surfaces surfaces =
+      ReadMeshes(input.Files, GetInputOptions(options, input.Time, true), silent, ignored);
+    if (surfaces.Meshes.empty())
+    {
+      return std::string();
+    }
+    kind = Lacking;
+    const vtkSmartPointer<vtkRenderer> renderer = BuildScene(surfaces, options, 1.0);
+    FreezeOptions(renderer, ComputeBounds(renderer, options).GetDiagonalLength(), options);
+    return FormatJsonObject(DescribeFrozen(options));
   }
-  const vtkSmartPointer<vtkRenderer> renderer = BuildScene(surfaces, options, 1.0);
-  FreezeOptions(renderer, ComputeBounds(renderer, options).GetDiagonalLength(), options);
-  return FormatJsonObject(DescribeFrozen(options));
+  catch (const CommandError& error)
+  {
+    return kind + std::string(error.what());
+  }
 }
 
 std::vector<std::string> SplitLines(const std::string& text)
@@ -102,17 +115,11 @@ int Film::FindDefaults()
     }
   }
   std::string failure;
+  int worst = Done;
   for (int frame = 0; frame < this->Options.Frames; ++frame)
   {
     const auto find = [&](int) {
-      try
-      {
-        return FindFrameDefaults(this->GetInput(frame), this->GetFrameOptions(frame));
-      }
-      catch (const CommandError& error)
-      {
-        return std::string("!") + error.what();
-      }
+      return FindFrameDefaults(this->GetInput(frame), this->GetFrameOptions(frame));
     };
     std::vector<std::string> texts;
     const int status = RunForTexts(1, 1, find, texts);
@@ -121,21 +128,27 @@ int Film::FindDefaults()
       return status;
     }
     const std::string& text = texts.front();
-    if (!text.empty() && text[0] != '!')
+    const char kind = text.empty() ? '\0' : text[0];
+    if (!text.empty() && kind != Unreadable && kind != Lacking)
     {
       this->Defaults = ParseJsonObject(text);
       return Done;
     }
+    worst = std::max(worst, status);
     const bool reported = this->Options.Prepare.empty() && this->IsWanted(frame); // by the image
     if (status != Done && !reported)
     {
       return status; // The reader crashed.
     }
     failure = failure.empty() && !text.empty() ? text.substr(1) : failure;
-    if (!this->IsSeries() || (!text.empty() && !reported))
+    if (!this->IsSeries() || (kind == Unreadable && !reported))
     {
       break;
     }
+  }
+  if (failure.empty() && worst != Done)
+  {
+    return worst; // Readers crashed.
   }
   throw CommandError(BadInput, failure.empty() ? "all time steps are empty" : failure);
 }

@@ -106,16 +106,21 @@ const CLI::App* FindSubcommand(const CLI::App& program, const std::vector<std::s
 /// Makes two arguments of --NAME= where CLI11 would take the next argument as the value.
 void SeparateEmptyValues(const CLI::App& command, std::vector<std::string>& arguments)
 {
-  for (std::size_t i = 0; i < arguments.size(); ++i)
+  for (std::size_t i = 0; i < arguments.size() && arguments[i] != "--"; ++i)
   {
     const std::string name = arguments[i].substr(0, arguments[i].find('='));
-    const bool isEmpty = name.rfind("--", 0) == 0 && arguments[i].size() == name.size() + 1;
-    const CLI::Option* option = isEmpty ? command.get_option_no_throw(name) : nullptr;
-    if (option && option->get_items_expected_max() > 0)
+    const CLI::Option* option =
+      name.rfind("--", 0) == 0 ? command.get_option_no_throw(name) : nullptr;
+    if (!option || option->get_items_expected_max() == 0)
+    {
+      continue;
+    }
+    if (arguments[i].size() == name.size() + 1)
     {
       arguments[i] = name;
       arguments.insert(arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::string());
     }
+    i += arguments[i] == name ? 1 : 0; // the value
   }
 }
 

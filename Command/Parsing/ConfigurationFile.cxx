@@ -11,6 +11,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -22,11 +23,11 @@ namespace
 
 using Arguments = std::vector<std::string>;
 
-/// Returns the path of --config; empty: the option is not given.
-std::string FindPath(const Arguments& arguments)
+/// Returns the path of --config if the option is given.
+std::optional<std::string> FindPath(const Arguments& arguments)
 {
   const std::string option = ConfigurationOption;
-  std::string path;
+  std::optional<std::string> path;
   for (std::size_t i = 0; i < arguments.size(); ++i)
   {
     if (arguments[i] == option && i + 1 < arguments.size())
@@ -91,15 +92,15 @@ void InsertConfiguration(const CLI::App& command, Arguments& arguments)
   {
     return;
   }
-  const std::string path = FindPath(arguments);
-  if (path.empty())
+  const std::optional<std::string> path = FindPath(arguments);
+  if (!path)
   {
     return;
   }
-  const std::string prefix = std::string(ConfigurationOption) + " " + path + ": ";
+  const std::string prefix = std::string(ConfigurationOption) + " " + *path + ": ";
   const std::set<const CLI::Option*> given = FindGivenOptions(command, arguments);
   Arguments inserted;
-  for (const auto& [name, values] : ReadOptions(path, prefix))
+  for (const auto& [name, values] : ReadOptions(*path, prefix))
   {
     const std::string longName = "--" + name;
     const CLI::Option* option = command.get_option_no_throw(longName);

@@ -47,7 +47,7 @@ class OcclusionProvider(BasePassProvider):
                             f"{', '.join(DEFAULTS)}")
         changed = {**self._state, **state}
         for name in ("ambient_occlusion", "light_shafts"):
-            if not isinstance(changed[name], bool):
+            if changed[name] not in (True, False):
                 raise TypeError(f"{name} must be True or False, not {changed[name]!r}")
         check_radius(changed["radius"])
         check_range("strength", changed["strength"], 0.0, 1.0)

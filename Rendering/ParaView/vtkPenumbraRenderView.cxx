@@ -77,6 +77,11 @@ std::string TranslateTolerance(const std::string& message, double tolerance)
   const std::size_t source = message.find("): ");
   std::string text = source == std::string::npos ? message : message.substr(source + 3);
   text.erase(text.find_last_not_of('\n') + 1);
+  if (text.find("LightTolerance") == std::string::npos)
+  {
+    return text.substr(
+      0, text.find(" Increase ")); // that of antialiasing, which the view does not set
+  }
   std::ostringstream number;
   number << "The tolerance of " << tolerance << " was";
   text = std::regex_replace(text, std::regex("The tolerance of [^ ]+ was"), number.str());
@@ -251,6 +256,7 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   }
 
   vtkPenumbraRayCaster* caster = pass->Caster;
+  caster->SetTolerance(std::min(1.0 / 256.0, this->PenumbraTolerance));
   caster->SetLightTolerance(this->PenumbraTolerance);
   caster->SetAmbientOcclusion(this->AmbientOcclusion);
   caster->SetAmbientOcclusionRadius(this->OcclusionRadius * diagonal);

@@ -165,8 +165,9 @@ public:
 
   ///@{
   /**
-   * If on, still renders are ray cast, with the errors that PenumbraTolerance accepts, by all ranks
-   * together if their images are composited. With volumes, the view is rasterized. Default: off.
+   * If on, still renders are ray cast, with errors of light below PenumbraTolerance and of antialiasing
+   * below that and 1/256, by all ranks together if their images are composited. With volumes, the view
+   * is rasterized. Default: off.
    */
   vtkSetMacro(StillByRays, bool);
   vtkGetMacro(StillByRays, bool);

@@ -255,11 +255,12 @@ TEST(Cancelling, LeavesNoPartialFileIfAllProcessesAreKilled)
   const Folder folder("all-killed");
   WriteSpheres(folder.Path);
   const std::vector<std::string> before = folder.List();
-  // Kills all processes at once when the file appears.
+  // Kills all processes at once while the file is written.
   const ProgramResult outcome = RunShell("cd " + Quote(folder.Path) +
     " && { setsid $PENUMBRA render sphere.stl --resolution 700,700 --output p.vti & } && "
     "program=$!; "
-    "until compgen -G '.p.vti*' || [ -e p.vti ]; do kill -0 $program || exit 9; done >/dev/null; "
+    "until [ -n \"$(find . -name '.p.vti*' -size +0)\" ] || [ -e p.vti ]; do kill -0 $program || "
+    "exit 9; done; "
     "kill -KILL -- -$program; wait $program 2>/dev/null; exit 0");
   EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
   for (const std::string& name : folder.List())

@@ -172,6 +172,8 @@ TEST(Configuration, EmptyValuesAreValues)
     folder, { "--config", folder / "empty.json", "--bar", "--coloring-array", "Height" }, expected);
   ExpectEqual(
     folder, { "--bar", "--text=", "--scalar-bar-title=", "--coloring-array", "Height" }, expected);
+  EXPECT_EQ(Render(folder, "a.png", { "--config=" }).Status, 2);
+  ExpectEqual(folder, { "--text", "--scalar-bar-title=" }, { "--text=--scalar-bar-title=" });
   const ProgramResult outcome = Render(folder, "a.png", { "--tolerance=" });
   EXPECT_EQ(outcome.Status, 2);
   EXPECT_NE(outcome.Errors.find("--tolerance: ''"), std::string::npos) << outcome.Errors;

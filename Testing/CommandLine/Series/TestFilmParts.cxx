@@ -215,6 +215,29 @@ TEST(FilmParts, UnreadableStepIsReportedBeforeFirstImage)
       "run.pvd", "run.vtk.series", "run_10.vtk", "run_8.vtk", "run_9.vtk" }));
 }
 
+// Its image reports what is missing; the others are the same as in a film without it.
+TEST(FilmParts, FirstStepWithoutTheArrayIsLeftOut)
+{
+  const Folder folder("lacking-parts");
+  WriteFileSeries(folder);
+  std::string first = ReadText(folder / "run_8.vtk");
+  WriteText(folder / "run_8.vtk", first.replace(first.find("SCALARS T"), 9, "SCALARS U"));
+  for (const Words& range : { Words{}, Words{ "--coloring-range", "all" } })
+  {
+    const Words film =
+      Join({ folder / "run.pvd", "--coloring-array", "T", "--output", folder / "film/{frame}.png" },
+        range);
+    const ProgramResult prepared = RunAnimate(Join(film, { "--prepare", folder / "film.json" }));
+    EXPECT_EQ(prepared.Status, 0) << prepared.Errors;
+    const ProgramResult part = RunAnimate(Join(film, { "--frames", "1:2" }));
+    EXPECT_EQ(part.Status, 0) << part.Errors;
+    EXPECT_TRUE(std::filesystem::exists(folder / "film/0002.png"));
+    const ProgramResult lacking = RunAnimate(Join(film, { "--frames", "0:0" }));
+    EXPECT_EQ(lacking.Status, 2);
+    EXPECT_NE(lacking.Errors.find("no point array 'T'"), std::string::npos) << lacking.Errors;
+  }
+}
+
 TEST(FilmParts, UnreadableStepDoesNotAffectOtherScenes)
 {
   const Folder folder("scenes");
