@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -39,15 +40,25 @@ std::string Number(double value)
   return text;
 }
 
-/// The largest absolute value.
-double Largest(const Frame& frame)
+/// The values are in [0, 1] as they are shown.
+Frame Clamp(const Frame& frame)
 {
-  double largest = 0.0;
-  for (const double value : frame.Values)
+  Frame clamped = frame;
+  for (double& value : clamped.Values)
   {
-    largest = std::max(largest, std::abs(value));
+    value = std::clamp(value, 0.0, 1.0);
   }
-  return largest;
+  return clamped;
+}
+
+/// The value that the share `above` of the pixels exceeds.
+double Exceeded(const Frame& frame, double above)
+{
+  std::vector<double> values = frame.Values;
+  const auto rank =
+    static_cast<std::ptrdiff_t>((1.0 - above) * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  return values[rank];
 }
 
 /// Returns 1 for values that can be seen, else a power of ten that makes `largest` at most 1.
@@ -80,12 +91,12 @@ Frame Scale(const Frame& frame, int gain)
 /// The images of the outcomes. Dark ones are brighter; if the first two look alike, their difference is the last.
 Panels MakePanels(const Measured& measured)
 {
-  double largest = 0.0;
+  double bright = 0.0;
   for (const ScenarioResult& outcome : measured.Outcomes)
   {
-    largest = std::max(largest, Largest(outcome.Image));
+    bright = std::max(bright, Exceeded(outcome.Image, 0.01)); // a light may be brighter
   }
-  const int gain = Gain(largest, 0.25);
+  const int gain = Gain(bright, 0.25);
   Panels panels;
   for (const ScenarioResult& outcome : measured.Outcomes)
   {
@@ -94,8 +105,8 @@ Panels MakePanels(const Measured& measured)
   panels.Text = std::string("Penumbra; mechanism disabled") +
     (measured.Row.Peer.empty() ? "" : "; VTK") +
     (gain > 1 ? " (values times " + std::to_string(gain) + ")" : "");
-  const Frame& one = measured.Outcomes[0].Image;
-  const Frame& two = measured.Outcomes[1].Image;
+  const Frame one = Clamp(panels.Frames[0]);
+  const Frame two = Clamp(panels.Frames[1]);
   if (one.Width != two.Width || one.Height != two.Height)
   {
     return panels;
@@ -105,13 +116,14 @@ Panels MakePanels(const Measured& measured)
   {
     difference.Values[i] = std::abs(one.Values[i] - two.Values[i]);
   }
-  const int contrast = Gain(Largest(difference), 0.1);
+  const double largest = Exceeded(difference, 0.0);
+  const int contrast = Gain(largest, 0.1);
   if (contrast > 1)
   {
     panels.Frames.push_back(Scale(difference, contrast));
     panels.Text += "; difference of the first two, times " + std::to_string(contrast);
   }
-  else if (Largest(difference) == 0.0)
+  else if (largest == 0.0)
   {
     panels.Text += "; the first two are equal in this frame";
   }

@@ -86,7 +86,7 @@ void AddVTKPass(vtkRenderer* renderer)
   vtkNew<vtkRenderStepsPass> steps;
   vtkNew<vtkSSAOPass> occlusion;
   occlusion->SetRadius(0.1 * std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]));
-  occlusion->SetBias(0.001 * occlusion->GetRadius());
+  occlusion->SetBias(0.01 * occlusion->GetRadius());
   occlusion->SetKernelSize(256);
   occlusion->BlurOn();
   occlusion->SetDelegatePass(steps);
