@@ -43,14 +43,15 @@ TEST(Figure, NamesCharactersThatNoFontHas)
   WriteText(folder / "square.vtk",
     "# vtk DataFile Version 3.0\nsquare\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
     "0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\nPOINT_DATA 3\n"
-    "SCALARS \xe6\xb8\xa9 float 1\nLOOKUP_TABLE default\n0 1 2\n");
+    "SCALARS \xf4\x8f\xbf\xbd float 1\nLOOKUP_TABLE default\n0 1 2\n");
   const auto render = [&](const std::string& name) {
-    return RunProgram({ "render", folder / "square.vtk", "--coloring-scalar-bar",
-      "--coloring-array", "\xe6\xb8\xa9", "--resolution", "200,150", "--output", folder / name });
+    return RunProgram(
+      { "render", folder / "square.vtk", "--coloring-scalar-bar", "--coloring-array",
+        "\xf4\x8f\xbf\xbd", "--resolution", "200,150", "--output", folder / name });
   };
   const ProgramResult refused = render("figure.pdf");
   EXPECT_EQ(refused.Status, 2);
-  EXPECT_NE(refused.Errors.find("U+6E29"), std::string::npos) << refused.Errors;
+  EXPECT_NE(refused.Errors.find("U+10FFFD"), std::string::npos) << refused.Errors;
   EXPECT_EQ(CountLines(refused.Errors), 1) << refused.Errors;
   EXPECT_EQ(render("figure.svg").Status, 0);
 }

@@ -109,6 +109,10 @@ bool Write(const Images& images, const std::filesystem::path& path)
   }
   std::error_code error;
   std::filesystem::create_directories(path.parent_path(), error);
+  if (!std::filesystem::is_directory(path.parent_path(), error))
+  {
+    return false; // vtkPNGWriter loses memory if it cannot open the file.
+  }
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(sheet);
   writer->SetFileName(path.c_str());
