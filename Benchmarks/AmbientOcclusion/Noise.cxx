@@ -83,8 +83,7 @@ void MeasureNoise(OcclusionBenchmark& benchmark)
     benchmark.Judge(scene.Name, "noise after 32 still frames, against its limit",
       Difference(after32, limit, depth, all), .006,
       "32 frames of one step, 1024 samples per pixel, unfiltered from 150 on; windows take as many "
-      "steps as "
-      "fit into a frame");
+      "steps as fit into a frame");
     table.Add(scene.Name, "converged, against its limit", Difference(converged, limit, depth, all),
       TargetKind::AtMost, .01,
       "estimated error of the worst tile of 16x16 pixels: " + std::to_string(estimated));

@@ -40,17 +40,6 @@ std::string Number(double value)
   return text;
 }
 
-/// The values are in [0, 1] as they are shown.
-Frame Clamp(const Frame& frame)
-{
-  Frame clamped = frame;
-  for (double& value : clamped.Values)
-  {
-    value = std::clamp(value, 0.0, 1.0);
-  }
-  return clamped;
-}
-
 /// The value that the share `above` of the pixels exceeds.
 double Exceeded(const Frame& frame, double above)
 {
@@ -78,12 +67,13 @@ struct Panels
   std::string Text; ///< what the frames are
 };
 
+/// Returns the values times `gain`, clamped to [0, 1].
 Frame Scale(const Frame& frame, int gain)
 {
   Frame scaled = frame;
   for (double& value : scaled.Values)
   {
-    value *= gain;
+    value = std::clamp(value * gain, 0.0, 1.0);
   }
   return scaled;
 }
@@ -105,8 +95,8 @@ Panels MakePanels(const Measured& measured)
   panels.Text = std::string("Penumbra; mechanism disabled") +
     (measured.Row.Peer.empty() ? "" : "; VTK") +
     (gain > 1 ? " (values times " + std::to_string(gain) + ")" : "");
-  const Frame one = Clamp(panels.Frames[0]);
-  const Frame two = Clamp(panels.Frames[1]);
+  const Frame& one = panels.Frames[0];
+  const Frame& two = panels.Frames[1];
   if (one.Width != two.Width || one.Height != two.Height)
   {
     return panels;
@@ -130,8 +120,8 @@ Panels MakePanels(const Measured& measured)
   return panels;
 }
 
-/// Concatenates images horizontally with a gray gap between them. Every pixel becomes a square of as many
-/// pixels as make the images at least `readable` high, so that a reader can tell them apart.
+/// Concatenates images, whose values are in [0, 1], horizontally with a gray gap between them. Every pixel becomes a
+/// square of as many pixels as make the images at least `readable` high, so that a reader can tell them apart.
 void WriteImage(const std::string& path, const std::vector<Frame>& frames)
 {
   constexpr int gap = 8;
@@ -159,7 +149,7 @@ void WriteImage(const std::string& path, const std::vector<Frame>& frames)
     {
       for (int x = 0; x < zoom * frame.Width; ++x)
       {
-        const double value = std::clamp(frame.Values[y / zoom * frame.Width + x / zoom], 0.0, 1.0);
+        const double value = frame.Values[y / zoom * frame.Width + x / zoom];
         bytes[y * width + left + x] = static_cast<unsigned char>(255.0 * value + .5);
       }
     }
@@ -282,10 +272,8 @@ void WriteRow(std::ostream& out, const Measured& measured)
 void WriteRows(std::ostream& out, const std::vector<Measured>& rows)
 {
   out << "\n## Rows\n\nImages: from left to right, Penumbra, the same with the mechanism disabled, "
-         "and VTK if it has "
-         "a comparable method; pixels are enlarged.\nOf a sequence, they are one frame. Where they "
-         "look alike, "
-         "their difference is the last image.\n";
+         "and VTK if it has a comparable method; pixels are enlarged.\nOf a sequence, they are one "
+         "frame. Where they look alike, their difference is the last image.\n";
   for (const Measured& measured : rows)
   {
     WriteRow(out, measured);
