@@ -169,8 +169,10 @@ void CreateFolders(const RenderOptions& options)
     std::error_code error;
     if (!folder.empty() && !std::filesystem::create_directories(folder, error) && error)
     {
-      throw CommandError(
-        BadInput, option + path + ": the folder cannot be created: " + error.message());
+      const std::string broken = DescribeBrokenLink(folder.string());
+      throw CommandError(BadInput,
+        option + path +
+          ": the folder cannot be created: " + (broken.empty() ? error.message() : broken));
     }
   }
 }

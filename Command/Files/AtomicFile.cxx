@@ -63,6 +63,23 @@ void RefuseInput(const std::string& path, const std::string& option)
   }
 }
 
+std::string DescribeBrokenLink(const std::string& folder)
+{
+  fs::path link;
+  std::error_code ignored;
+  for (const fs::path& part : fs::path(folder))
+  {
+    link /= part;
+    if (fs::is_symlink(link, ignored) &&
+      fs::status(link, ignored).type() == fs::file_type::not_found)
+    {
+      return link.string() + " is a symbolic link to " + fs::read_symlink(link, ignored).string() +
+        ", which does not exist; create that folder or remove the link";
+    }
+  }
+  return std::string();
+}
+
 AtomicFile::AtomicFile(const std::string& path, const std::string& option)
   : Option(option),
     Path(path)
@@ -74,7 +91,8 @@ AtomicFile::AtomicFile(const std::string& path, const std::string& option)
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored))
   {
-    this->Fail("the folder does not exist; create it first");
+    const std::string broken = DescribeBrokenLink(folder.string());
+    this->Fail(broken.empty() ? "the folder does not exist; create it first" : broken);
   }
   if (fs::exists(target, ignored) && !fs::is_regular_file(target, ignored))
   {

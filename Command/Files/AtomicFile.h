@@ -14,6 +14,9 @@ namespace penumbra
 /// AtomicFile calls it in its constructor and again before renaming.
 void RefuseInput(const std::string& path, const std::string& option);
 
+/// Describes the first symbolic link on the path of a folder whose target does not exist; empty if there is none.
+std::string DescribeBrokenLink(const std::string& folder);
+
 class AtomicFile
 {
 public:

@@ -442,6 +442,26 @@ TEST(Faults, FoldersThatCannotBeCreatedAreReported)
   EXPECT_EQ(folder.List(), (std::vector<std::string>{ "file", "square.stl" }));
 }
 
+TEST(Faults, BrokenLinksToFoldersAreReported)
+{
+  const Folder folder("broken-link");
+  WriteText(folder / "square.stl", SquareStl());
+  WriteSpheres(folder.Path);
+  ASSERT_EQ(RunShell("ln -s nowhere " + Quote(folder / "link")).Status, 0);
+  const std::string reason = folder /
+    "link is a symbolic link to nowhere, which does not exist; create that folder or remove the "
+    "link";
+  const std::string square = Quote(folder / "square.stl") + " --resolution 9,9 --output ";
+  ExpectRefused(
+    RunShell("$PENUMBRA render " + square + Quote(folder / "link/sub/{name}.png")), reason);
+  ExpectRefused(
+    RunShell("$PENUMBRA animate --frames 1 " + square + Quote(folder / "link/{frame}.png")),
+    reason);
+  ExpectRefused(RunShell("$PENUMBRA bake " + Quote(folder / "sphere.ply") + " --output " +
+                  Quote(folder / "link/a.vtp")),
+    reason);
+}
+
 TEST(Faults, SignalsLeaveNoPartialMesh)
 {
   const Folder folder("signals-bake");
