@@ -201,6 +201,29 @@ def test_files_of_one_name_have_reports_of_their_own(pytester):
     assert 'src="one/scene/given/image.png"' in page and 'src="two/scene/given/image.png"' in page
 
 
+def test_images_of_an_earlier_report_are_removed(pytester):
+    report = pytester.path / "penumbra-report"
+    for folder in ("one", "two"):
+        pytester.mkpydir(folder)
+
+    def run(one, two, *options):
+        for folder, value in (("one", one), ("two", two)):
+            text = IMAGE.format(value=value).replace("[20, 30]", "[10:30]")
+            (pytester.path / folder / "test_a&b.py").write_text(text)
+        pytester.runpytest("-p", "no:cacheprovider", *options)
+        return sorted(path.relative_to(report).as_posix() for path in report.rglob("*") if path.is_file())
+
+    images = [f"{folder}/a&b/given/{name}.png" for folder in ("one", "two") for name in
+              ("baseline", "difference", "image")]
+    run(200, 200, "--penumbra-update")
+    assert run(10, 20) == ["index.html", *images]
+    (report / "one/notes.txt").write_text("kept")
+    assert run(200, 20) == ["index.html", "one/notes.txt", *images[3:]]
+    assert not (report / "one/a&b").exists()
+    assert run(200, 200) == ["one/notes.txt"]
+    assert not (report / "two").exists()
+
+
 def test_update_never_overwrites_a_baseline_of_the_same_run(scene, pytester):
     text = """
 import numpy as np

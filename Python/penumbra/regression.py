@@ -25,6 +25,7 @@ from .rendering import render
 
 OPENGL_TOLERANCE = 1.0 / 16.0
 LIMITS = {"pixel_limit": 0.01, "tile_pixel_limit": 1.0 / 32.0}
+NAMES = ("image.png", "baseline.png", "difference.png")
 LIMITED = {"tile rmse": "tolerance", "pixels": "pixel_limit", "tile pixels": "tile_pixel_limit"}
 
 
@@ -266,12 +267,27 @@ def _section(folder: pathlib.Path, row: dict[str, Any]) -> str:
             f"<p>If the image is right: <code>{update}</code></p></section>")
 
 
-def remove_report(folder: pathlib.Path) -> None:
-    """Remove the page of an earlier run, if write_report() wrote it: it shows failures that are none now."""
+def remove_report(folder: pathlib.Path, rows: Sequence[dict[str, Any]] = ()) -> None:
+    """Remove the page of an earlier run, if write_report() wrote it, and its images, except those of ``rows``."""
     path = folder / "index.html"
     with contextlib.suppress(OSError, UnicodeDecodeError):
-        if re.search(r"<title>\d+ of \d+ images differ</title>", path.read_text(encoding="utf-8")[:300]):
+        page = path.read_text(encoding="utf-8")
+        if re.search(r"<title>\d+ of \d+ images differ</title>", page[:300]):
             path.unlink()
+            sources = {html.unescape(source) for source in re.findall('<img src="([^"]*)"', page)}
+            _remove_images(folder, sources, {row["folder"] for row in rows})
+
+
+def _remove_images(folder: pathlib.Path, sources: set[str], kept: set[str]) -> None:
+    for source in sources:
+        parent, _, name = source.rpartition("/")
+        if parent in kept or name not in NAMES or os.pardir in parent.split("/") or os.path.isabs(parent):
+            continue
+        with contextlib.suppress(OSError):  # Folders with other files remain.
+            (folder / source).unlink(missing_ok=True)
+            while parent:
+                (folder / parent).rmdir()
+                parent = parent.rpartition("/")[0]
 
 
 def write_report(folder: pathlib.Path, rows: Sequence[dict[str, Any]]) -> pathlib.Path:
@@ -288,6 +304,7 @@ def write_report(folder: pathlib.Path, rows: Sequence[dict[str, Any]]) -> pathli
             f"<tr><th>result</th><th>test</th><th>baseline</th><th>difference</th></tr>{table}</table></section>"
             "</body></html>\n")
     folder.mkdir(parents=True, exist_ok=True)
+    remove_report(folder, failed)
     path = folder / "index.html"
     path.write_text(page, encoding="utf-8")
     return path
