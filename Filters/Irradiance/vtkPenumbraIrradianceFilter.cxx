@@ -41,6 +41,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 namespace
@@ -157,8 +158,8 @@ int vtkPenumbraIrradianceFilter::FillInputPortInformation(int port, vtkInformati
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
     return 1;
   }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  // Execute() rejects other types with a remedy, which VTK's message lacks.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
 
@@ -172,6 +173,14 @@ void vtkPenumbraIrradianceFilter::Execute(
 {
   vtkPolyData* surroundings = vtkPolyData::GetData(inputs[1]);
   vtkDataObject* output = vtkDataObject::GetData(outputs);
+  vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
+  if (!input && !vtkCompositeDataSet::GetData(inputs[0]))
+  {
+    throw std::runtime_error(std::string("The input is a ") +
+      vtkDataObject::GetData(inputs[0])->GetClassName() +
+      ", not a vtkPointSet. Extract its surface with vtkGeometryFilter (Extract Surface "
+      "in ParaView) and bake that.");
+  }
   const int pieces = outputs->GetInformationObject(0)->Get(
     vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
   if (this->Distribution)
@@ -192,7 +201,8 @@ void vtkPenumbraIrradianceFilter::Execute(
     if (blocks.GetNumberOfSkippedBlocks() > 0)
     {
       vtkWarningMacro(<< blocks.GetNumberOfSkippedBlocks()
-                      << " blocks were skipped because they are not vtkPointSets.");
+                      << " blocks were skipped because they are not vtkPointSets. Extract their "
+                         "surfaces with vtkGeometryFilter (Extract Surface in ParaView).");
     }
     vtkPointSet* joined = blocks.GetMerged();
     const auto baked = vtkSmartPointer<vtkPointSet>::Take(joined->NewInstance());
@@ -202,7 +212,6 @@ void vtkPenumbraIrradianceFilter::Execute(
   }
   else
   {
-    vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
     output->ShallowCopy(input);
     warnings = this->BakeOnto(input, surroundings, vtkPointSet::SafeDownCast(output));
   }

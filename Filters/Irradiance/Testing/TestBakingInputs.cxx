@@ -11,6 +11,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -22,6 +23,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
+#include "vtkTable.h"
 
 #include <gtest/gtest.h>
 
@@ -389,6 +391,18 @@ TEST(IrradianceFilter, MultipliesOcclusionByOpacity)
 namespace
 {
 
+/// Appends the errors of an algorithm and of its executive to `errors`.
+void CollectErrors(vtkAlgorithm* algorithm, std::string& errors)
+{
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&errors);
+  observer->SetCallback([](vtkObject*, unsigned long, void* client, void* text) {
+    *static_cast<std::string*>(client) += static_cast<const char*>(text);
+  });
+  algorithm->AddObserver(vtkCommand::ErrorEvent, observer);
+  algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+}
+
 /// Errors of baking a floor, of one array on the floor itself or on the surroundings.
 std::string BakeWithOpacity(vtkAbstractArray* array, bool onSurroundings, bool& hasOutput)
 {
@@ -408,13 +422,8 @@ std::string BakeWithOpacity(vtkAbstractArray* array, bool onSurroundings, bool& 
     target->GetPointData()->AddArray(array);
   }
   std::string errors;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&errors);
-  observer->SetCallback([](vtkObject*, unsigned long, void* client, void* text) {
-    *static_cast<std::string*>(client) += static_cast<const char*>(text);
-  });
   vtkNew<vtkPenumbraIrradianceFilter> filter;
-  filter->AddObserver(vtkCommand::ErrorEvent, observer);
+  CollectErrors(filter, errors);
   filter->SetInputData(floor->GetOutput());
   filter->SetInputData(1, wall->GetOutput());
   filter->SetOpacityArray("Opacity");
@@ -455,5 +464,25 @@ TEST(IrradianceFilter, RejectsInvalidOpacityArrays)
     const std::string errors = BakeWithOpacity(nullptr, onSurroundings, hasOutput);
     EXPECT_EQ(errors.empty(), onSurroundings) << errors;
     EXPECT_EQ(hasOutput, onSurroundings);
+  }
+}
+
+TEST(IrradianceFilter, NamesTheRemedyForDataWithoutPoints)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 3, 3);
+  vtkNew<vtkTable> table;
+  for (vtkDataObject* input :
+    { static_cast<vtkDataObject*>(image), static_cast<vtkDataObject*>(table) })
+  {
+    std::string errors;
+    vtkNew<vtkPenumbraIrradianceFilter> filter;
+    CollectErrors(filter, errors);
+    filter->SetInputData(input);
+    filter->Update();
+    EXPECT_NE(errors.find(std::string("The input is a ") + input->GetClassName()), errors.npos)
+      << errors;
+    EXPECT_NE(errors.find("vtkGeometryFilter (Extract Surface in ParaView)"), errors.npos)
+      << errors;
   }
 }
