@@ -16,6 +16,7 @@
 #include "Processes/CommandError.h"
 #include "Processes/ProgressLine.h"
 #include "Processes/Worker.h"
+#include "Program.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkNew.h"
@@ -91,9 +92,6 @@ std::string Processor()
 
 std::vector<std::string> Metadata(const ChartFamily& family, const std::vector<Peer>& peers)
 {
-  char date[16];
-  const std::time_t now = std::time(nullptr);
-  std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
   std::string others;
   for (const Peer& peer : peers)
   {
@@ -102,7 +100,7 @@ std::vector<std::string> Metadata(const ChartFamily& family, const std::vector<P
       others += (others.empty() ? "" : ", ") + peer.Name + " " + peer.Version;
     }
   }
-  return { std::string("date: ") + date, "machine: " + Processor(),
+  return { RunLine(), "machine: " + Processor(),
     "penumbra " PENUMBRA_VERSION ", VTK " + std::string(vtkVersion::GetVTKVersion()) +
       ", compiler " __VERSION__,
     "peer programs: " + (others.empty() ? "none" : others), "reference: " + family.Truth,
