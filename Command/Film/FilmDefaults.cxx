@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The defaults of a film that depend on its data: --coloring-range all, --prepare and --defaults.
-#include "Engines/RenderOutput.h"
 #include "Files/AtomicFile.h"
 #include "Files/JsonObject.h"
 #include "Film.h"
 #include "Options/FrozenOptions.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
-#include "Processes/ProgressLine.h"
 #include "Processes/Worker.h"
 #include "Processes/WorkerTexts.h"
 #include "Scene/SceneBuilder.h"
@@ -38,25 +36,20 @@ constexpr char Lacking = '?';
 // Returns the defaults derived from one frame; empty if it shows nothing; or an error.
 std::string FindFrameDefaults(const StepInput& input, RenderOptions options)
 {
-  ProgressLine silent("none");
-  std::vector<std::string> ignored;
-  char kind = Unreadable;
   try
   {
-    const Surfaces surfaces =
-      ReadMeshes(input.Files, GetInputOptions(options, input.Time, true), silent, ignored);
-    if (surfaces.Meshes.empty())
-    {
-      return std::string();
-    }
-    kind = Lacking;
-    const vtkSmartPointer<vtkRenderer> renderer = BuildScene(surfaces, options, 1.0);
-    FreezeOptions(renderer, ComputeBounds(renderer, options).GetDiagonalLength(), options);
-    return FormatJsonObject(DescribeFrozen(options));
+    return DescribeStep(input, options, [&options](vtkRenderer* renderer) {
+      FreezeOptions(renderer, ComputeBounds(renderer, options).GetDiagonalLength(), options);
+      return FormatJsonObject(DescribeFrozen(options));
+    });
+  }
+  catch (const IncompleteStep& error)
+  {
+    return Lacking + std::string(error.what());
   }
   catch (const CommandError& error)
   {
-    return kind + std::string(error.what());
+    return Unreadable + std::string(error.what());
   }
 }
 

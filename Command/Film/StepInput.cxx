@@ -29,6 +29,27 @@ namespace
 // Returns the array and the range of one step; empty if it has none. Throws CommandError if the step cannot be read.
 std::string FindRange(const StepInput& step, RenderOptions options)
 {
+  try
+  {
+    return DescribeStep(step, options, [&options](vtkRenderer* renderer) {
+      ColoringOptions& coloring = options.Coloring;
+      FreezeColoring(renderer, coloring);
+      return coloring.Range.empty()
+        ? std::string()
+        : FormatJsonObject({ { "array", coloring.Array }, { "range", coloring.Range } });
+    });
+  }
+  catch (const IncompleteStep&)
+  {
+    return std::string(); // Its image reports the error.
+  }
+}
+
+}
+
+std::string DescribeStep(const StepInput& step, const RenderOptions& options,
+  const std::function<std::string(vtkRenderer*)>& describe)
+{
   ProgressLine silent("none");
   std::vector<std::string> ignored;
   const Surfaces surfaces =
@@ -39,20 +60,12 @@ std::string FindRange(const StepInput& step, RenderOptions options)
   }
   try
   {
-    FreezeColoring(BuildScene(surfaces, options, 1.0), options.Coloring);
+    return describe(BuildScene(surfaces, options, 1.0));
   }
-  catch (const CommandError&)
+  catch (const CommandError& error)
   {
-    return std::string(); // The step lacks the array. Its image reports the error.
+    throw IncompleteStep(error.ExitStatus, error.what());
   }
-  if (options.Coloring.Range.empty())
-  {
-    return std::string();
-  }
-  return FormatJsonObject(
-    { { "array", options.Coloring.Array }, { "range", options.Coloring.Range } });
-}
-
 }
 
 int ReadTimelines(

@@ -6,10 +6,14 @@
 #define penumbra_StepInput_h
 
 #include "Input/TimeSteps.h"
+#include "Processes/CommandError.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
+
+class vtkRenderer;
 
 namespace penumbra
 {
@@ -21,6 +25,18 @@ struct StepInput
   std::vector<std::string> Files;
   std::optional<double> Time; ///< unset: the first step, or files without steps
 };
+
+/// Error of a step that can be read, but lacks what an option names, such as an array.
+class IncompleteStep : public CommandError
+{
+public:
+  using CommandError::CommandError;
+};
+
+/// Returns what `describe` returns for the scene of a step; empty if the step shows nothing. Throws CommandError if the
+/// step cannot be read, IncompleteStep if BuildScene() or `describe` throws CommandError.
+std::string DescribeStep(const StepInput& step, const RenderOptions& options,
+  const std::function<std::string(vtkRenderer*)>& describe);
 
 /// Reads the times of each group of files, in worker processes. Returns the largest exit status.
 int ReadTimelines(
