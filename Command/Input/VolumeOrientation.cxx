@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -155,6 +156,17 @@ NrrdHeader ReadNrrdHeader(const std::string& path)
 {
   Fields fields = ReadFields(path);
   const std::vector<std::string> sizes = SplitWords(fields["sizes"]);
+  for (const std::string& size : sizes)
+  {
+    const double number = NumberOr({ size }, 0, 0.0);
+    if (!(number >= 1.0 && number <= std::numeric_limits<int>::max() &&
+          number == std::floor(number)))
+    {
+      throw CommandError(BadInput,
+        path + ": the file is damaged: 'sizes' must be integers from 1 to 2147483647, not '" +
+          size + "'");
+    }
+  }
   const std::vector<Vector> directions = SplitVectors(fields["spacedirections"]);
   const std::vector<std::size_t> axes = FindSpatialAxes(fields, sizes.size(), directions);
   NrrdHeader header;

@@ -18,6 +18,9 @@ namespace penumbra
 namespace
 {
 
+// More values than any file has, and few enough for the number of their bytes not to overflow.
+constexpr long double MaximumValues = 1e18L;
+
 int SizeOfNrrdType(std::string type)
 {
   type.erase(std::remove(type.begin(), type.end(), ' '), type.end());
@@ -79,9 +82,13 @@ void ScanNrrd(FileCursor& file, const std::string& path)
   }
   const std::string encoding = LowerCase(fields["encoding"]);
   const bool text = encoding == "text" || encoding == "txt" || encoding == "ascii";
-  if ((!text && encoding != "raw") || values > 1e18L)
+  if ((!text && encoding != "raw") || values < 0.0L)
   {
     throw UnknownStructure();
+  }
+  if (values > MaximumValues)
+  {
+    throw TruncatedFile{ "value" };
   }
   const auto scan = [&](FileCursor& body) {
     if (text)

@@ -393,3 +393,28 @@ TEST(FileColors, YieldToTheColormapAndItsRange)
 }
 
 }
+
+TEST(Volumes, RejectInvalidSizesOfNrrd)
+{
+  const Folder folder("nrrd-sizes");
+  const auto refuse = [&folder](const std::string& sizes, const std::string& encoding,
+                        const std::string& words) {
+    WriteText(folder / "a.nrrd",
+      "NRRD0004\ntype: float\ndimension: 3\nsizes: " + sizes + "\nencoding: " + encoding +
+        "\nendian: little\n\n" + std::string(64, '\0'));
+    const ProgramResult outcome =
+      RunProgram({ "render", folder / "a.nrrd", "--output", folder / "p.png" });
+    EXPECT_EQ(outcome.Status, 2) << sizes << encoding;
+    EXPECT_NE(outcome.Errors.find(words), std::string::npos) << outcome.Errors;
+  };
+  for (const std::string side : { "2000000000", "4294967296" })
+  {
+    refuse(side + " " + side + " 4", "raw", "it ends before its last value");
+  }
+  for (const std::string size : { "4294967296", "-4", "0", "1.5", "x" })
+  {
+    refuse("4 " + size + " 4", "gzip",
+      "'sizes' must be integers from 1 to 2147483647, not '" + size + "'");
+    refuse(size + " 4 4", "raw", "the file is damaged");
+  }
+}
