@@ -2,7 +2,8 @@
 # GoogleTest cases in <TestName>.cxx and the other sources, which are one CTest test. The target <TestName> holds the objects. The
 # tests of a folder with the same labels are one program, <Folder>Tests: it links in seconds, where one for each source
 # takes minutes. `ninja <Folder>Tests` builds it. Tests with the label `once` are part of it only if PENUMBRA_TEST_ONCE
-# is ON, and so are the cases in Testing/once.txt; tests with OWN only if PENUMBRA_TEST_OWN is ON.
+# is ON; tests with OWN only if PENUMBRA_TEST_OWN is ON. The cases in Testing/once.txt are a CTest test of their own,
+# <TestName>.once with the label `once`, only if PENUMBRA_TEST_ONCE is ON.
 
 # intercept_tls_get_addr: GCC 12's sanitizers mistake thread-local blocks at a certain page offset for those
 # of an older glibc, and the leak check crashes (fixed in GCC 14).
@@ -12,16 +13,25 @@ set(penumbra_test_environment
   "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/leaks.supp:print_suppressions=0"
   "UBSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/undefined.supp:print_stacktrace=1")
 
-# The cases in Testing/once.txt, as a filter of GoogleTest.
+# Sets <output> to the cases in Testing/once.txt that <sources> hold, as patterns of GoogleTest.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Testing/once.txt")
-if (NOT PENUMBRA_TEST_ONCE)
-  file(STRINGS "${PROJECT_SOURCE_DIR}/Testing/once.txt" penumbra_once_cases REGEX "^[A-Za-z]")
-  set(penumbra_test_filter "GTEST_FILTER=-")
-  foreach (case IN LISTS penumbra_once_cases)
-    string(APPEND penumbra_test_filter "${case}:*/${case}:*/${case}/*:")
+file(STRINGS "${PROJECT_SOURCE_DIR}/Testing/once.txt" penumbra_once_cases REGEX "^[A-Za-z]")
+function (penumbra_once_patterns output)
+  set(text "")
+  foreach (source IN LISTS ARGN)
+    file(READ ${source} part)
+    string(APPEND text "${part}")
   endforeach ()
-  list(APPEND penumbra_test_environment "${penumbra_test_filter}")
-endif ()
+  set(patterns "")
+  foreach (case IN LISTS penumbra_once_cases)
+    string(REGEX REPLACE "^([^.]+)[.]([^/]+).*$" "(\\1, \\2)" head "${case}")
+    string(FIND "${text}" "${head}" position)
+    if (NOT position EQUAL -1)
+      string(APPEND patterns "${case}:*/${case}:*/${case}/*:")
+    endif ()
+  endforeach ()
+  set(${output} "${patterns}" PARENT_SCOPE)
+endfunction ()
 
 # The launcher ends a test after this time with its stack printed, and reports processes that it leaves behind.
 if (BUILD_TESTING)
@@ -82,4 +92,14 @@ function (penumbra_test name)
   list(TRANSFORM arg_SOURCES REPLACE "^.*/|[.]cxx$" "" OUTPUT_VARIABLE sources)
   add_test(NAME ${name} COMMAND ${penumbra_test_launcher} $<TARGET_FILE:${program}> ${name} ${sources})
   set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77 LABELS "${arg_LABELS}" ENVIRONMENT "${penumbra_test_environment}")
+
+  penumbra_once_patterns(patterns ${name}.cxx ${arg_SOURCES})
+  if (patterns)
+    set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT "GTEST_FILTER=-${patterns}")
+    if (PENUMBRA_TEST_ONCE)
+      add_test(NAME ${name}.once COMMAND ${penumbra_test_launcher} $<TARGET_FILE:${program}>)
+      set_tests_properties(${name}.once PROPERTIES SKIP_RETURN_CODE 77 LABELS once
+        ENVIRONMENT "${penumbra_test_environment};GTEST_FILTER=${patterns}")
+    endif ()
+  endif ()
 endfunction ()

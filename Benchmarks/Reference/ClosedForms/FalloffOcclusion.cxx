@@ -18,7 +18,7 @@ namespace
 {
 
 constexpr double Pi = glm::pi<double>();
-constexpr int Steps = 2000;
+constexpr int Steps = 1000;
 
 /// Integrates with Simpson's rule.
 template <typename Function>

@@ -112,10 +112,10 @@ vtkSmartPointer<vtkPolyData> MakeSmallMesh()
   vtkNew<vtkSphereSource> sphere;
   sphere->SetCenter(0.0, 0.0, 1.0);
   sphere->SetRadius(1.0);
-  sphere->SetThetaResolution(16);
-  sphere->SetPhiResolution(12);
+  sphere->SetThetaResolution(12);
+  sphere->SetPhiResolution(8);
   vtkNew<vtkAppendPolyData> all;
-  all->AddInputConnection(MakeFloor(12)->GetOutputPort());
+  all->AddInputConnection(MakeFloor(8)->GetOutputPort());
   all->AddInputConnection(sphere->GetOutputPort());
   all->Update();
   return all->GetOutput();
@@ -125,11 +125,11 @@ vtkSmartPointer<vtkPolyData> MakeSmallMesh()
 vtkSmartPointer<vtkPolyData> MakeSlabs()
 {
   vtkNew<vtkAppendPolyData> all;
-  all->AddInputConnection(MakeFloor(24)->GetOutputPort());
-  for (int i = 0; i < 36; ++i)
+  all->AddInputConnection(MakeFloor(18)->GetOutputPort());
+  for (int i = 0; i < 16; ++i)
   {
-    const double x = 1.7 * (i % 6) - 4.9;
-    const double y = 1.7 * (i / 6) - 4.9;
+    const double x = 1.7 * (i % 4) - 3.2;
+    const double y = 1.7 * (i / 4) - 3.2;
     vtkNew<vtkCubeSource> slab;
     slab->SetBounds(x, x + .5, y, y + .1, .1, 1.1);
     slab->Update();

@@ -67,13 +67,13 @@ struct GlyphField
 {
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkPenumbraRayCaster> Caster;
-  vtkNew<vtkSphereSource> Sphere; ///< 1,680 triangles
+  vtkNew<vtkSphereSource> Sphere; ///< 840 triangles
   vtkNew<vtkArrowSource> Arrow;
 
   GlyphField()
   {
-    this->Sphere->SetThetaResolution(42);
-    this->Sphere->SetPhiResolution(22);
+    this->Sphere->SetThetaResolution(30);
+    this->Sphere->SetPhiResolution(16);
     this->Arrow->SetShaftResolution(360);
     this->Arrow->SetTipResolution(360);
     this->Caster->SetRenderer(this->Renderer);

@@ -102,7 +102,7 @@ TEST(SampledPixels, HaveConservativeErrorEstimates)
     EXPECT_GT(GetStatistic(caster, "Pixels/Uniform"), 0.0) << primitives;
     vtkNew<vtkPenumbraRayCaster> reference;
     reference->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
-    reference->GetConstants().UniformSamples = 64;
+    reference->GetConstants().UniformSamples = 32;
     Render("Slivers", primitives, Side, reference, Subdivisions);
     vtkPointData* actual = caster->GetOutput()->GetPointData();
     vtkPointData* expected = reference->GetOutput()->GetPointData();

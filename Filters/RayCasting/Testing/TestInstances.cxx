@@ -31,7 +31,7 @@ using penumbra::Surface;
 namespace
 {
 
-constexpr int Width = 28;
+constexpr int Width = 25; // the fewest columns that are drawn as instances
 constexpr int ImageWidth = 160;
 constexpr int ImageHeight = 120;
 

@@ -289,7 +289,8 @@ TEST(RoundShapes, AreSampledWhereTubesIntersectASurface)
   plane->SetPosition(0.0, 0.0, -6.0);
   plane->GetProperty()->SetColor(0.1, 0.1, 0.1);
   scene.Caster->SetLineRadius(0.015);
-  constexpr int Size = 128;
+  scene.Renderer->GetActiveCamera()->Zoom(2.0);
+  constexpr int Size = 64;
   constexpr int Tile = 16;
   scene.Caster->SetResolution(Size, Size);
   const std::vector<double> image = scene.RenderRed();
@@ -324,7 +325,7 @@ TEST(RoundShapes, AreWithinTheToleranceIfOutlinesAreTooManyToCut)
   scene.Caster->SetResolution(64, 64);
   scene.Caster->SetPointRadius(0.03);
   scene.Caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
-  scene.Caster->GetConstants().UniformSamples = 32;
+  scene.Caster->GetConstants().UniformSamples = 24;
   const std::vector<double> reference = scene.RenderRed();
   scene.Caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Silhouettes;
   for (const double tolerance : { 0.05, 0.01 })
