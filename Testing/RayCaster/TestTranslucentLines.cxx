@@ -15,13 +15,16 @@
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
 
+#include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,6 +41,7 @@ namespace
 {
 
 constexpr int Side = 48;
+const glm::dvec3 ViewDirection(0.3, 0.5, -1.0);
 
 using Style = std::function<void(vtkProperty*)>;
 
@@ -77,6 +81,36 @@ void AddPlane(vtkRenderer* renderer, const Style& style, double x, double opacit
   vtkProperty* const property = AddMesh(renderer, plane->GetOutput(), true)->GetProperty();
   style(property);
   property->SetOpacity(opacity);
+}
+
+/// Wide lines whose normals point to the camera at one end and away from it at the other, with a light from beside:
+/// their color changes abruptly where the normal is negated.
+void AddNegatedLines(vtkRenderer* renderer)
+{
+  constexpr int Cells = 9;
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(Cells, Cells);
+  plane->Update();
+  vtkNew<vtkPolyData> mesh;
+  mesh->ShallowCopy(plane->GetOutput());
+  const glm::dvec3 beside = glm::normalize(glm::dvec3(0.96, -0.2, 0.188));
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const glm::dvec3 normal = beside + (i % 2 ? 0.5 : -0.5) * ViewDirection;
+    normals->InsertNextTuple3(normal.x, normal.y, normal.z);
+  }
+  mesh->GetPointData()->SetNormals(normals);
+  vtkProperty* const property = AddMesh(renderer, mesh, true)->GetProperty();
+  property->SetRepresentationToWireframe();
+  property->SetLineWidth(4.f);
+  property->SetOpacity(0.6);
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(beside.x, beside.y, beside.z);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  renderer->AddLight(light);
 }
 
 struct LineScene
@@ -131,6 +165,7 @@ std::vector<LineScene> MakeScenes()
       },
       8.0 });
   }
+  scenes.push_back({ "WireframeWithNegatedNormals", AddNegatedLines, 4.0 });
   const Style opaque = [](vtkProperty* property) {
     ShowWireframe(property);
     property->SetOpacity(1.0);
@@ -167,7 +202,7 @@ void BuildScene(const LineScene& scene, vtkRenderer* renderer)
   renderer->SetBackground2(0.4, 0.3, 0.1);
   renderer->GradientBackgroundOn();
   scene.Build(renderer);
-  LookAlong(renderer, { 0.3, 0.5, -1.0 }, { 0.0, 1.0, 0.0 }, Side, Side);
+  LookAlong(renderer, ViewDirection, { 0.0, 1.0, 0.0 }, Side, Side);
   renderer->GetActiveCamera()->Zoom(1.3);
 }
 

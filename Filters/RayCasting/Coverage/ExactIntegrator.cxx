@@ -223,8 +223,8 @@ PixelResult ExactIntegrator::ComputeFaceColor(std::size_t index)
   const Sample sample = this->Pixel.Trace(face.Point, face.Area);
   this->UpdateMaximumFaceDepth(sample);
   this->Edges.AddPrimitive(sample.FirstHit);
-  this->Pixel.ShowsUnsteadyTriangle =
-    this->Pixel.ShowsUnsteadyTriangle || this->Tile.IsUnsteady(this->Pixel.Tracer, sample.FirstHit);
+  this->Pixel.LeastSteady = std::max(
+    this->Pixel.LeastSteady, this->Tile.FindSteadiness(this->Pixel.Tracer, sample.FirstHit));
   result.Color = sample.Color;
   if (inside == 0u && this->Pixel.IsConstantBehindMedium(sample.FirstHit))
   {
@@ -417,7 +417,7 @@ std::optional<PixelResult> ExactIntegrator::Integrate()
         return std::nullopt;
       }
       const PixelResult face = this->ComputeFaceColor(i);
-      if (this->Pixel.ShowsUnsteadyTriangle)
+      if (this->Pixel.LeastSteady != Steadiness::Steady)
       {
         return std::nullopt;
       }

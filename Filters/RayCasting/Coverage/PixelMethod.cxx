@@ -272,16 +272,19 @@ bool HasLayers(const PixelContext& pixel, const TileRasterizer& rasterizer)
     !pixel.Tracer.UsesIrradianceProvider();
 }
 
-/// Chooses where the samples of a pixel come from.
-PixelMethod ChooseSamples(const PixelContext& pixel, const TileGeometry& tile)
+/// Chooses where the samples of a pixel come from. Layers are divided where their normals are negated; other triangles
+/// that are rasterized have only few colors.
+PixelMethod ChooseSamples(
+  const PixelContext& pixel, const TileGeometry& tile, Steadiness leastSteady = Steadiness::Steady)
 {
-  if (!tile.Rasterizer)
+  if (!tile.Rasterizer || leastSteady == Steadiness::Unsteady)
   {
     return PixelMethod::Rays;
   }
   if (tile.Rasterizer->SelectPixel(pixel.Position))
   {
-    return tile.RasterizesAll ? PixelMethod::Triangles : PixelMethod::Rays;
+    return tile.RasterizesAll && leastSteady == Steadiness::Steady ? PixelMethod::Triangles
+                                                                   : PixelMethod::Rays;
   }
   return HasLayers(pixel, *tile.Rasterizer) ? PixelMethod::Layers : PixelMethod::Rays;
 }
@@ -309,7 +312,7 @@ PixelMethod ChooseReplacement(
     return !edges.Segments.empty() || edges.IsTubeIntersected ? PixelMethod::Exact
                                                               : PixelMethod::Refinement;
   }
-  return pixel.ShowsUnsteadyTriangle ? PixelMethod::Rays : ChooseSamples(pixel, tile);
+  return ChooseSamples(pixel, tile, pixel.LeastSteady);
 }
 
 template <typename Test>
@@ -342,10 +345,18 @@ PixelMethod ChooseMethod(const PixelContext& pixel, PixelEdges& edges, const Til
     return ChooseReplacement(*gaveUp, pixel, edges, tile);
   }
   // A rasterized triangle and a face with a corner have only few colors.
-  if (AnyCorner(pixel, [&](const Hit& hit) { return tile.IsUnsteady(pixel.Tracer, hit); }) ||
-    IsNearLightCone(pixel))
+  Steadiness leastSteady = Steadiness::Steady;
+  for (const Sample& corner : pixel.Corners)
+  {
+    leastSteady = std::max(leastSteady, tile.FindSteadiness(pixel.Tracer, corner.FirstHit));
+  }
+  if (IsNearLightCone(pixel))
   {
     return PixelMethod::Rays;
+  }
+  if (leastSteady != Steadiness::Steady)
+  {
+    return ChooseSamples(pixel, tile, leastSteady);
   }
   // The pole of a sphere or the center of a fan: too many edges to arrange.
   if (tile.AreEdgesLeftOut || edges.GetNumberOfEdges() > MaximumEdges ||

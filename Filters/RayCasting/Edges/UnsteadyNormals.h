@@ -17,6 +17,14 @@ namespace penumbra
 struct Camera;
 struct Surface;
 
+/// How the color changes within a triangle, from the least to the most abrupt change.
+enum class Steadiness
+{
+  Steady,
+  PartlyNegated, ///< see IsPartlyNegated()
+  Unsteady       ///< see HasUnsteadyNormal()
+};
+
 /// Returns true if the length of the interpolated normal falls below UnsteadyLength in a triangle of
 /// Surface::Triangles.
 VTKPENUMBRAFILTERSRAYCASTING_EXPORT bool HasUnsteadyNormal(

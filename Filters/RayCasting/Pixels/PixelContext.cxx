@@ -55,7 +55,7 @@ void PixelContext::Load(glm::ivec2 pixel)
     ? std::hypot(this->Settings.Noise, static_cast<double>(penumbraNoise))
     : this->Settings.Noise;
   this->TrustedCorners = 15u;
-  this->ShowsUnsteadyTriangle = false;
+  this->LeastSteady = Steadiness::Steady;
 }
 
 double PixelContext::ComputePixelSize(double distance) const

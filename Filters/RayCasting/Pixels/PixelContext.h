@@ -5,6 +5,7 @@
 #ifndef penumbra_PixelContext_h
 #define penumbra_PixelContext_h
 
+#include "Edges/UnsteadyNormals.h"
 #include "IntegrationSettings.h"
 #include "Sampling/CornerGrid.h"
 
@@ -120,7 +121,7 @@ public:
   double Noise;            ///< standard error of sampled colors: Settings.Noise and penumbrae
   /// Bits of the corners farther than EdgePrecision from all edges.
   unsigned int TrustedCorners = 0;
-  bool ShowsUnsteadyTriangle = false; ///< the color of a face changes abruptly
+  Steadiness LeastSteady = Steadiness::Steady; ///< of the triangles that faces show
 
 private:
   std::vector<PenumbraNeighbors> Neighbors; ///< one for each light

@@ -3,7 +3,6 @@
 #include "TileGeometry.h"
 
 #include "CoverageConstants.h"
-#include "Edges/UnsteadyNormals.h"
 #include "Scene.h"
 #include "Surface.h"
 
@@ -28,15 +27,19 @@ TileGeometry::TileGeometry(const TileEdges& edges, glm::ivec2 origin, int side,
   this->RasterizesAll = rasterizer && count > RasterizedEdgesPerPixel * area;
 }
 
-bool TileGeometry::IsUnsteady(const CameraRayTracer& tracer, const Hit& hit) const
+Steadiness TileGeometry::FindSteadiness(const CameraRayTracer& tracer, const Hit& hit) const
 {
   if (!hit.IsHit() || this->Flags.Unsteady.empty() || !this->Flags.Unsteady[hit.Surface])
   {
-    return false;
+    return Steadiness::Steady;
   }
   const Surface& surface = tracer.GetRays().GetSurfaces()[hit.Surface];
-  return HasUnsteadyNormal(surface, surface.GetStoredTriangle(hit.Primitive)) ||
-    IsPartlyNegated(surface, hit.Primitive, tracer.GetCamera());
+  if (HasUnsteadyNormal(surface, surface.GetStoredTriangle(hit.Primitive)))
+  {
+    return Steadiness::Unsteady;
+  }
+  return IsPartlyNegated(surface, hit.Primitive, tracer.GetCamera()) ? Steadiness::PartlyNegated
+                                                                     : Steadiness::Steady;
 }
 
 }

@@ -7,6 +7,7 @@
 #define penumbra_TileGeometry_h
 
 #include "Edges/Silhouettes.h"
+#include "Edges/UnsteadyNormals.h"
 #include "HiddenShapes.h"
 #include "Rasterization/TileRasterizer.h"
 
@@ -73,8 +74,8 @@ public:
     return hit.IsHit() && !this->Flags.Dense.empty() && this->Flags.Dense[hit.Surface];
   }
 
-  /// Returns true if the color changes abruptly within the triangle of a hit.
-  bool IsUnsteady(const CameraRayTracer& tracer, const Hit& hit) const;
+  /// Returns how the color changes within the triangle of a hit.
+  Steadiness FindSteadiness(const CameraRayTracer& tracer, const Hit& hit) const;
 
   const std::vector<ProjectedEdge>& Edges;
   TileRasterizer* const Rasterizer; ///< null: samples are traced

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LayerSampler.h"
 
+#include "Edges/UnsteadyNormals.h"
 #include "Sampling/EdgeBlending.h"
 #include "Surface.h"
 #include "Tiles/ScreenTriangle.h"
@@ -44,6 +45,48 @@ PixelTexture FindTexture(
   return texture;
 }
 
+/// Returns a value that is positive where the normal of a triangle points away from the camera, relative to the lower
+/// left corner of a pixel.
+LinearValue<double> FindAway(
+  const Surface& surface, std::uint32_t triangle, const Camera& camera, glm::dvec2 pixel)
+{
+  const ScreenTriangle projected(surface.GetPoints(triangle), camera);
+  const std::array<glm::vec3, 3> normals = surface.GetNormals(triangle, surface.Normals);
+  double values[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    const double weight = camera.Parallel ? 1.0 : projected.Keys[i];
+    values[i] = weight * glm::dot(glm::dvec3(normals[i]), glm::dvec3(camera.Forward));
+  }
+  return projected.MakePlane(values[0], values[1], values[2], pixel);
+}
+
+/// Divides a polygon into the part where a value is positive, and the rest.
+void Split(const LayerPolygon& polygon, const LinearValue<double>& value, LayerPolygon& positive,
+  LayerPolygon& rest)
+{
+  const auto add = [](LayerPolygon& part, glm::vec2 p) {
+    if (part.Count < static_cast<int>(part.Points.size()))
+    {
+      part.Points[part.Count++] = p;
+    }
+  };
+  for (int i = 0; i < polygon.Count; ++i)
+  {
+    const glm::vec2 p = polygon.Points[i];
+    const glm::vec2 q = polygon.Points[i + 1 < polygon.Count ? i + 1 : 0];
+    const double a = Evaluate(value, p);
+    const double b = Evaluate(value, q);
+    add(a > 0.0 ? positive : rest, p);
+    if ((a > 0.0) != (b > 0.0))
+    {
+      const glm::vec2 crossing = p + static_cast<float>(a / (a - b)) * (q - p);
+      add(positive, crossing);
+      add(rest, crossing);
+    }
+  }
+}
+
 /// Fits the gradient of the color to colors at points.
 void FitGradient(
   const glm::vec2* points, const glm::vec4* colors, int count, PixelLayerColor& color)
@@ -66,18 +109,10 @@ void FitGradient(
   }
 }
 
-}
-
-void ShadePartOfLayer(PixelContext& context, const TileRasterizer& rasterizer, std::uint32_t layer,
-  SampledPixel& pixel, PixelLayerColor& color)
+/// Shades a triangle at the center of a polygon, or, if that is large, near some of its corners.
+void ShadePolygon(PixelContext& context, const LayerPolygon& polygon, const SampledPixel& pixel,
+  PixelLayerColor& color)
 {
-  if (color.Of->LitTexture)
-  {
-    color.Texture = static_cast<std::uint32_t>(pixel.Textures.size());
-    pixel.Textures.push_back(FindTexture(
-      *color.Of, color.Id.Primitive, context.Tracer.GetCamera(), glm::dvec2(pixel.X, pixel.Y)));
-  }
-  const LayerPolygon polygon = rasterizer.ClipLayer(layer);
   glm::vec2 center(0.f);
   float area = 0.f;
   for (int i = 2; i < polygon.Count; ++i)
@@ -113,6 +148,36 @@ void ShadePartOfLayer(PixelContext& context, const TileRasterizer& rasterizer, s
   {
     FitGradient(points, colors, count, color);
   }
+}
+
+}
+
+void ShadePartOfLayer(PixelContext& context, const TileRasterizer& rasterizer, std::uint32_t layer,
+  SampledPixel& pixel, PixelLayerColor& color)
+{
+  const Camera& camera = context.Tracer.GetCamera();
+  const glm::dvec2 origin(pixel.X, pixel.Y);
+  if (color.Of->LitTexture)
+  {
+    color.Texture = static_cast<std::uint32_t>(pixel.Textures.size());
+    pixel.Textures.push_back(FindTexture(*color.Of, color.Id.Primitive, camera, origin));
+  }
+  LayerPolygon polygon = rasterizer.ClipLayer(layer);
+  if (IsPartlyNegated(*color.Of, color.Id.Primitive, camera))
+  {
+    NegatedLayer negated{ FindAway(*color.Of, color.Id.Primitive, camera, origin), color };
+    LayerPolygon away;
+    LayerPolygon rest;
+    Split(polygon, negated.Away, away, rest);
+    if (away.Count > 0 && rest.Count > 0)
+    {
+      ShadePolygon(context, away, pixel, negated.Color);
+      polygon = rest;
+      color.Negated = static_cast<std::uint32_t>(pixel.NegatedLayers.size());
+      pixel.NegatedLayers.push_back(negated);
+    }
+  }
+  ShadePolygon(context, polygon, pixel, color);
 }
 
 LayerSampler::LayerSampler(PixelContext& pixel, TileRasterizer& rasterizer)
@@ -199,7 +264,8 @@ glm::vec4 LayerSampler::CompositeLayers(
     {
       this->ShadeLayer(pixel, layer->Layer, found);
     }
-    glm::vec4 c = found.At(point);
+    const PixelLayerColor& part = pixel.GetLayerColor(found, point);
+    glm::vec4 c = part.At(point);
     if (found.Texture != PixelLayerColor::NoTexture)
     {
       const PixelTexture& texture = pixel.Textures[found.Texture];
@@ -209,7 +275,7 @@ glm::vec4 LayerSampler::CompositeLayers(
     if (edges.IsBehindEdge() || found.Of->EdgeWidth > 0.f)
     {
       const float distance = this->Rasterizer.ComputeDepth(*layer) - origin;
-      opacity = edges.FindOpacity(*found.Of, distance, found.Slope, c.a);
+      opacity = edges.FindOpacity(*found.Of, distance, part.Slope, c.a);
     }
     const float weight = (1.f - color.a) * opacity;
     color += glm::vec4(weight * glm::vec3(c), found.Of->IsAdditive ? 0.f : weight);

@@ -6,9 +6,9 @@
 #define penumbra_SampledPixel_h
 
 #include "Pixels/IntegrationSettings.h"
+#include "Rasterization/LinearValues.h"
 #include "Sampling/CameraRayTracer.h"
 #include "Shading/SurfaceColor.h"
-#include "Tiles/ScreenTriangle.h"
 
 #include <glm/glm.hpp>
 
@@ -50,15 +50,17 @@ struct PixelTexture
 struct PixelLayerColor
 {
   static constexpr std::uint32_t NoTexture = 0xffffffffu;
+  static constexpr std::uint32_t NotNegated = 0xffffffffu;
 
   PrimitiveId Id{};
   const Surface* Of = nullptr; ///< null: not yet shaded
   bool IsConstant = true;
-  std::uint32_t Texture = NoTexture; ///< index in SampledPixel::Textures
-  float Slope = 0.f;                 ///< see EdgeBlending
-  glm::vec2 Center{ 0.f };           ///< position in the pixel
-  glm::vec4 Color{ 0.f };            ///< at the center; not premultiplied, and opacity
-  glm::vec4 Gradient[2] = {};        ///< change of the color along x and y
+  std::uint32_t Texture = NoTexture;  ///< index in SampledPixel::Textures
+  std::uint32_t Negated = NotNegated; ///< index in SampledPixel::NegatedLayers
+  float Slope = 0.f;                  ///< see EdgeBlending
+  glm::vec2 Center{ 0.f };            ///< position in the pixel
+  glm::vec4 Color{ 0.f };             ///< at the center; not premultiplied, and opacity
+  glm::vec4 Gradient[2] = {};         ///< change of the color along x and y
 
   /// Returns the color without the texture.
   glm::vec4 At(glm::vec2 point) const
@@ -72,6 +74,13 @@ struct PixelLayerColor
     }
     return color;
   }
+};
+
+/// Color of a layer in the part of the pixel where its normal points away from the camera and is negated.
+struct NegatedLayer
+{
+  LinearValue<double> Away{}; ///< relative to the origin of the pixel, positive in that part
+  PixelLayerColor Color;
 };
 
 /// Mean color of a triangle, or of the background, over samples of one pixel.
@@ -94,6 +103,7 @@ struct SampledPixel
   std::vector<glm::vec4> Samples;           ///< differences to the colors of the faces
   std::vector<PixelLayerColor> LayerColors; ///< per layer of a pixel of layers
   std::vector<PixelTexture> Textures;       ///< of some of them
+  std::vector<NegatedLayer> NegatedLayers;  ///< of some of them
   /// Colors of the visible triangles of a pixel of SampleSource::Triangles.
   std::vector<PixelTriangleColor> TriangleColors;
   /// Index in TriangleColors of each sample of such a pixel, which has no Samples.
@@ -106,6 +116,15 @@ struct SampledPixel
   int Surfaces = 0;         ///< number of these samples
   double Noise = 0.0;       ///< standard error of the colors of its samples
   PixelResult Result;
+
+  /// Returns the color of a layer at a point.
+  const PixelLayerColor& GetLayerColor(const PixelLayerColor& layer, glm::vec2 point) const
+  {
+    const bool mayBeNegated = layer.Negated != PixelLayerColor::NotNegated;
+    return mayBeNegated && Evaluate(this->NegatedLayers[layer.Negated].Away, point) > 0.0
+      ? this->NegatedLayers[layer.Negated].Color
+      : layer;
+  }
 
   /// Returns the seed of its sequence of samples.
   std::uint32_t GetSeed() const
