@@ -10,6 +10,7 @@ import csv
 import dataclasses
 import os
 import pathlib
+import re
 import resource
 import statistics
 import subprocess
@@ -99,6 +100,12 @@ def run(command, log):
     return usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024 / 1e6, status
 
 
+def find_version(text):
+    """Return the first line with a version of three numbers; empty without one."""
+    lines = [line.strip() for line in text.splitlines() if re.search(r"\d+\.\d+\.\d+", line)]
+    return lines[0] if lines else ""
+
+
 def read_version(program, paths):
     """Return the program with its version; empty if it is not installed."""
     try:
@@ -106,8 +113,7 @@ def read_version(program, paths):
         answer = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
     except OSError:
         return ""
-    lines = [line for line in (answer.stdout + answer.stderr).splitlines() if line.strip()]
-    return lines[0].strip() if answer.returncode == 0 and lines else ""
+    return find_version(answer.stdout + answer.stderr) if answer.returncode == 0 else ""
 
 
 def measure(program, paths, log):

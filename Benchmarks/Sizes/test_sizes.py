@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tests of the chart of `./penumbra benchmark sizes`."""
+"""Tests of the chart and the versions of `./penumbra benchmark sizes`."""
 import unittest
 import xml.etree.ElementTree as ElementTree
 
 import chart
+import sizes
 
 ROWS = [
     ["Penumbra", "10000", "9760", "7.3", "192", "", ""],
@@ -36,6 +37,13 @@ class PanelTest(unittest.TestCase):
         texts = [text.text for text in ElementTree.fromstring(f"<svg>{panel}</svg>").iter("text")]
         self.assertEqual(texts.count("Penumbra, error 0.0048"), 1)
         self.assertEqual(texts.count("POV-Ray"), 1)
+
+
+class VersionTest(unittest.TestCase):
+    def test_ignores_other_lines(self):
+        text = "povray: cannot open the file .povray/3.7/povray.conf\nPOV-Ray 3.7.0.10.unofficial\n\nCopyright\n"
+        self.assertEqual(sizes.find_version(text), "POV-Ray 3.7.0.10.unofficial")
+        self.assertEqual(sizes.find_version("no version\n"), "")
 
 
 if __name__ == "__main__":
