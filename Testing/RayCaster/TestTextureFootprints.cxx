@@ -20,6 +20,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -139,6 +140,45 @@ TEST(TextureFootprints, AverageStripesExactly)
     }
   }
   EXPECT_LE(std::sqrt(squares / (Side * Side)), 5e-4); // the diagonal is sampled
+  EXPECT_LE(answer.RaysPerPixel, 2.0);
+}
+
+TEST(TextureFootprints, AverageInterpolatedDotsExactly)
+{
+  // Every third texel of every third row is white, so that the texture is a product of periodic tents.
+  constexpr int texels = 150;
+  vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+  AddTexturedSquare(renderer, texels, true, [](int i, int j) {
+    return i % 3 == 0 && j % 3 == 0;
+  })->SetScale(Side);
+  LookAtImage(renderer, Side, Side);
+  const Answer answer = Cast(renderer, Side, Side);
+  // Integral of a tent at 0 from -1 to x.
+  const auto integrate = [](double x) {
+    const double d = 1.0 - std::abs(std::clamp(x, -1.0, 1.0));
+    return x < 0.0 ? 0.5 * d * d : 1.0 - 0.5 * d * d;
+  };
+  double means[Side] = {};
+  for (int i = 0; i < Side; ++i)
+  {
+    const double low = static_cast<double>(i) * texels / Side;
+    const double high = (i + 1.0) * texels / Side;
+    for (int texel = 0; texel <= texels; texel += 3)
+    {
+      means[i] += (integrate(high - texel - 0.5) - integrate(low - texel - 0.5)) / (high - low);
+    }
+  }
+  double worst = 0.0;
+  for (int j = 0; j < Side; ++j)
+  {
+    for (int i = 0; i < Side; ++i)
+    {
+      const double d =
+        answer.Colors[static_cast<std::size_t>(j) * Side + i].g - means[i] * means[j];
+      worst = std::max(worst, std::abs(i - j) <= 1 ? 0.0 : std::abs(d)); // the diagonal is sampled
+    }
+  }
+  EXPECT_LE(worst, 1e-5);
   EXPECT_LE(answer.RaysPerPixel, 2.0);
 }
 

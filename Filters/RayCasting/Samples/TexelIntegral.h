@@ -15,7 +15,7 @@ namespace penumbra
 {
 
 /// Integrates the texture of the only triangle in the pixel that the rasterizer has selected, which is
-/// opaque. Gives up, without a result, if this is not the case or takes more time than samples.
+/// opaque. Gives up, without a result, if this is not the case, takes more time than samples, or is less accurate.
 std::optional<PixelResult> IntegrateTexels(PixelContext& context, const TileRasterizer& rasterizer);
 
 }

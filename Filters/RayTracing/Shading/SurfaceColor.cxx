@@ -46,18 +46,21 @@ int WrapIndex(int i, int size, Texture::WrapModes wrap)
 
 }
 
+glm::vec4 GetTexel(const Texture& texture, glm::ivec2 texel)
+{
+  if (texture.Wrap == Texture::WrapModes::ClampToBorder &&
+    (texel.x < 0 || texel.x >= texture.Width || texel.y < 0 || texel.y >= texture.Height))
+  {
+    return texture.BorderColor;
+  }
+  const int i = WrapIndex(texel.x, texture.Width, texture.Wrap);
+  const int j = WrapIndex(texel.y, texture.Height, texture.Wrap);
+  return ToFloatColor(texture.Texels[static_cast<std::size_t>(j) * texture.Width + i]);
+}
+
 glm::vec4 SampleTexture(const Texture& texture, glm::vec2 coordinates)
 {
-  const auto texel = [&](int i, int j) {
-    if (texture.Wrap == Texture::WrapModes::ClampToBorder &&
-      (i < 0 || i >= texture.Width || j < 0 || j >= texture.Height))
-    {
-      return texture.BorderColor;
-    }
-    i = WrapIndex(i, texture.Width, texture.Wrap);
-    j = WrapIndex(j, texture.Height, texture.Wrap);
-    return ToFloatColor(texture.Texels[static_cast<std::size_t>(j) * texture.Width + i]);
-  };
+  const auto texel = [&](int i, int j) { return GetTexel(texture, { i, j }); };
   if (!std::isfinite(coordinates.x) || !std::isfinite(coordinates.y))
   {
     return texel(0, 0);

@@ -31,6 +31,9 @@ T Interpolate(const std::vector<T>& values, glm::uvec3 corners, glm::vec3 weight
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT glm::vec4 SampleTexture(
   const Texture& texture, glm::vec2 coordinates);
 
+/// Returns the RGBA color of a texel, in [0, 1], or what the texture shows at its place if there is none.
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT glm::vec4 GetTexel(const Texture& texture, glm::ivec2 texel);
+
 /// Returns the color of a texture of `surface` at a hit.
 glm::vec4 SampleTexture(
   const Surface& surface, const Texture& texture, glm::uvec3 corners, glm::vec3 weights);
