@@ -179,7 +179,7 @@ inline const std::vector<Row> Table = {
 
   { "Rendering/ParaView",
     { "Filters/Medium", "Filters/RayCasting", "Filters/Parallel", "Rendering/ScreenSpace/Frame",
-      "Rendering/ScreenSpace/Chain", "Rendering/ScreenSpace", "Rendering/Irradiance" },
+      "Rendering/ScreenSpace/Chain", "Rendering/ScreenSpace" },
     { "OpenGL", "ParaView" } },
 
   { "Testing/Comparison", { "Filters/Comparison" }, { "GoogleTest" } },

@@ -233,7 +233,7 @@ TEST(Modules, UseWhatTheTableAllows)
 
 TEST(Modules, AllStandInTheTable)
 {
-  for (const char* top : { "Filters", "Rendering", "Testing" })
+  for (const char* top : { "Command", "Filters", "Rendering", "Testing" })
   {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(Root / top))
     {

@@ -321,14 +321,14 @@ TEST(Instances, AreKeptWhileTheCameraMoves)
 {
   Fields fields;
   fields.Instances.Caster->SetKeepScene(true);
-  fields.Instances.Caster->SetResolution(ImageWidth / 2, ImageHeight / 2);
+  fields.Instances.Caster->SetResolution(ImageWidth / 4, ImageHeight / 4);
   for (const double angle : { 0.0, 6.0 })
   {
     fields.Instances.Renderer->GetActiveCamera()->Azimuth(angle);
     fields.Instances.Caster->Update();
     vtkNew<vtkPenumbraRayCaster> other;
     other->SetRenderer(fields.Instances.Renderer);
-    other->SetResolution(ImageWidth / 2, ImageHeight / 2);
+    other->SetResolution(ImageWidth / 4, ImageHeight / 4);
     other->SetKeepScene(true);
     other->Update();
     vtkDataArray* a = fields.Instances.Caster->GetOutput()->GetPointData()->GetArray("Color");

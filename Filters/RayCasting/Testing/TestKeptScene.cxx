@@ -44,7 +44,7 @@ namespace
 using Choice = std::function<void(vtkPenumbraRayCaster*)>;
 using Image = std::vector<float>;
 
-constexpr int Side = 48;
+constexpr int Side = 32;
 
 vtkSmartPointer<vtkActor> AddSphere(
   vtkRenderer* renderer, double x, double y, double z, double radius, int facets = 16)
@@ -207,7 +207,7 @@ const Row Rows[] = {
     } },
   // Becomes dense, with other edges, when the camera moves away.
   { "DenseMesh", [](vtkPenumbraRayCaster*) {},
-    [](vtkRenderer* renderer) { AddSphere(renderer, 0.0, 0.5, 0.0, 0.5, 100); } },
+    [](vtkRenderer* renderer) { AddSphere(renderer, 0.0, 0.5, 0.0, 0.5, 66); } },
   { "Shadows", [](vtkPenumbraRayCaster* caster) { caster->ShadowsOn(); } },
   { "AmbientOcclusion",
     [](vtkPenumbraRayCaster* caster) {
@@ -371,7 +371,7 @@ TEST(RayCasterKeepScene, HasTheBitsOfANewRayCasterAfterRandomChanges)
   for (int i = 0; i < 12; ++i)
   {
     actors.push_back(
-      AddSphere(renderer, 0.4 * (i % 4) - 0.6, 0.15 * (i / 4), 0.1 * (i % 3), 0.1 + 0.02 * i));
+      AddSphere(renderer, 0.4 * (i % 4) - 0.6, 0.15 * (i / 4), 0.1 * (i % 3), 0.1 + 0.02 * i, 10));
   }
   vtkNew<vtkGlyph3DMapper> glyphs; // instances
   vtkNew<vtkSphereSource> places;
@@ -399,7 +399,7 @@ TEST(RayCasterKeepScene, HasTheBitsOfANewRayCasterAfterRandomChanges)
     actors[i]->GetProperty()->SetColor(0.2 * i, 1.0 - 0.2 * i, 0.5);
   }
   const auto choose = [](vtkPenumbraRayCaster* caster) {
-    caster->SetResolution(32, 32);
+    caster->SetResolution(24, 24);
     caster->SetLineRadius(0.04);
     caster->ShadowsOn();
   };
