@@ -13,6 +13,7 @@
 namespace penumbra
 {
 
+/// Cases are those of [AA], see Documentation/methods/Antialiasing.md.
 enum class PixelMethod
 {
   Uniform,      ///< a regular grid of rays
@@ -21,8 +22,8 @@ enum class PixelMethod
   Exact,        ///< cases 3 and 4: the areas of the faces between the edges
   Refinement,   ///< subdivided until the tolerance is met
   Texels,       ///< the areas of the texels of one triangle
-  Faces,        ///< faces with one ray each, which samples correct if the tile requires it
-  SampledFaces, ///< the same with samples at once
+  Faces,        ///< estimated from a ray per face, sampled only if the tile requires it
+  SampledFaces, ///< the same, sampled at once
   Rays,         ///< traced samples
   LitRays,      ///< traced samples with light of their own
   Triangles,    ///< rasterized samples: the nearest triangle at each
