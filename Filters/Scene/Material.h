@@ -7,6 +7,8 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -50,6 +52,8 @@ struct Texture
   int Width = 0;
   int Height = 0;
   std::vector<glm::u8vec4> Texels;
+  /// If true, the colors of texels are sRGB. Decode() makes them linear, as OpenGL does before it interpolates.
+  bool IsSRGB = false;
   bool Interpolate = false;
   /// Wrap modes of vtkTexture: the color at coordinates outside [0, 1].
   enum class WrapModes
@@ -61,7 +65,28 @@ struct Texture
   };
   WrapModes Wrap = WrapModes::Repeat;
   glm::vec4 BorderColor{ 0.f }; ///< used by ClampToBorder
+
+  /// Returns a texel, from 0 to 1, with linear colors.
+  glm::vec4 Decode(glm::u8vec4 texel) const;
 };
+
+inline glm::vec4 Texture::Decode(glm::u8vec4 texel) const
+{
+  if (!this->IsSRGB)
+  {
+    return glm::vec4(texel) * (1.f / 255.f);
+  }
+  static const std::array<float, 256> linear = []() {
+    std::array<float, 256> table;
+    for (int i = 0; i < 256; ++i)
+    {
+      const double c = i / 255.0;
+      table[i] = static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+    }
+    return table;
+  }();
+  return { linear[texel.r], linear[texel.g], linear[texel.b], texel.a / 255.f };
+}
 
 /// Textures of a physically based material besides its base color. Each may be null.
 struct MaterialTextures

@@ -35,7 +35,7 @@ void VisitPlainMembers(SurfaceT& s, Bytes& bytes)
 template <typename TextureT, typename Bytes>
 void VisitTexture(TextureT& t, Bytes& bytes)
 {
-  bytes(t.Width, t.Height, t.Texels, t.Interpolate, t.Wrap, t.BorderColor);
+  bytes(t.Width, t.Height, t.Texels, t.IsSRGB, t.Interpolate, t.Wrap, t.BorderColor);
 }
 
 /// Calls visit(texture) for the textures of a surface, some of which may be null. `details` are those of

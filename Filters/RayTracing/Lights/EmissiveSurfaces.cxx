@@ -23,7 +23,7 @@ glm::vec3 MeanColor(const Texture& texture)
   glm::dvec3 sum(0.0);
   for (const glm::u8vec4 texel : texture.Texels)
   {
-    sum += glm::dvec3(texel);
+    sum += texture.IsSRGB ? 255.0 * glm::dvec3(texture.Decode(texel)) : glm::dvec3(texel);
   }
   return glm::vec3(
     sum / (255.0 * std::max<double>(static_cast<double>(texture.Texels.size()), 1.0)));

@@ -55,7 +55,7 @@ glm::vec4 GetTexel(const Texture& texture, glm::ivec2 texel)
   }
   const int i = WrapIndex(texel.x, texture.Width, texture.Wrap);
   const int j = WrapIndex(texel.y, texture.Height, texture.Wrap);
-  return ToFloatColor(texture.Texels[static_cast<std::size_t>(j) * texture.Width + i]);
+  return texture.Decode(texture.Texels[static_cast<std::size_t>(j) * texture.Width + i]);
 }
 
 glm::vec4 SampleTexture(const Texture& texture, glm::vec2 coordinates)

@@ -9,6 +9,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkLight.h"
 #include "vtkLookupTable.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -132,6 +133,34 @@ TEST_F(ActorShadingTest, MatchesVTKForRepeatedAndClampedTextureWithoutInterpolat
     EXPECT_GE(result.Pixels, 1000);
     EXPECT_LE(result.Different, .02 * result.Pixels) << repeat;
   }
+}
+
+TEST_F(ActorShadingTest, MatchesVTKForDarkTexturesInSRGB)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->Update();
+  this->SetMesh(plane->GetOutput());
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(8, 1, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int i = 0; i < 8; ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      image->SetScalarComponentFromDouble(i, 0, 0, c, (c + 1) * i); // at most 0.0065 if linear
+    }
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->InterpolateOn();
+  texture->UseSRGBColorSpaceOn();
+  this->Property()->SetInterpolationToPBR();
+  this->Property()->SetColor(0.0, 0.0, 0.0);
+  this->Property()->SetEmissiveTexture(texture);
+  vtkNew<vtkLight> black;
+  black->SetIntensity(0.0);
+  this->Renderer()->AddLight(black);
+  this->ExpectSameImage();
 }
 
 TEST_F(ActorShadingTest, MatchesVTKForColorFromFieldData)

@@ -46,22 +46,6 @@ Texture::WrapModes ConvertWrapMode(vtkTexture* texture)
   }
 }
 
-/// Converts texels from sRGB to linear colors, as OpenGL does when it samples sRGB textures.
-void ConvertFromSRGB(std::vector<glm::u8vec4>& texels)
-{
-  unsigned char linear[256];
-  for (int i = 0; i < 256; ++i)
-  {
-    const double c = i / 255.0;
-    const double value = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-    linear[i] = static_cast<unsigned char>(std::lround(255.0 * value));
-  }
-  for (glm::u8vec4& texel : texels)
-  {
-    texel = { linear[texel.r], linear[texel.g], linear[texel.b], texel.a };
-  }
-}
-
 /// Returns the texture transform of `prop` as 16 numbers by rows, or null. The name of its key
 /// changed in VTK 9.6.
 const double* FindTextureTransform(vtkProp* prop)
@@ -265,10 +249,7 @@ std::shared_ptr<Texture> MakeTextureFace(
   result->Wrap = ConvertWrapMode(texture);
   const float* border = texture->GetBorderColor();
   result->BorderColor = { border[0], border[1], border[2], border[3] };
-  if (texture->GetUseSRGBColorSpace())
-  {
-    ConvertFromSRGB(result->Texels);
-  }
+  result->IsSRGB = texture->GetUseSRGBColorSpace();
   return result;
 }
 

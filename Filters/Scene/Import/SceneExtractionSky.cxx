@@ -82,7 +82,8 @@ RadianceImage MakeRadianceImage(const Texture& texture, vtkDataArray* radiances)
   image.Texels.reserve(texture.Texels.size());
   for (std::size_t i = 0; i < texture.Texels.size(); ++i)
   {
-    glm::vec3 color = glm::vec3(texture.Texels[i]) / 255.f;
+    const glm::u8vec4 texel = texture.Texels[i];
+    glm::vec3 color = glm::vec3(texture.IsSRGB ? texture.Decode(texel) : glm::vec4(texel) / 255.f);
     for (int c = 0; radiances && c < 3; ++c)
     {
       const double value = radiances->GetComponent(static_cast<vtkIdType>(i), c);

@@ -99,6 +99,7 @@ void ReplaceColors(const Material& material, Surface& surface)
   {
     auto texture = std::make_shared<Texture>(*surface.ColorTexture);
     ReplaceColors(texture->Texels, color);
+    texture->IsSRGB = false;
     texture->BorderColor = glm::vec4(glm::vec3(color) / 255.f, texture->BorderColor.a);
     surface.ColorTexture = texture->Texels.empty() ? nullptr : texture;
     if (!surface.ColorTexture)
