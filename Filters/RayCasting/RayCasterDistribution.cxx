@@ -46,8 +46,8 @@ void AddLights(const std::vector<penumbra::Light>& lights, penumbra::SettingList
   for (const penumbra::Light& light : lights)
   {
     settings.emplace_back("a light",
-      Describe(static_cast<int>(light.Kind), light.CastsShadow, light.ConeCosine, light.Exponent,
-        light.Radius, light.AngularRadius) +
+      Describe(static_cast<int>(light.Kind), light.CastsShadow, light.MovesWithCamera,
+        light.ConeCosine, light.Exponent, light.Radius, light.AngularRadius) +
         Describe(glm::dvec3(light.Position)) + Describe(glm::dvec3(light.Direction)) +
         Describe(glm::dvec3(light.DiffuseColor)) + Describe(glm::dvec3(light.SpecularColor)));
   }
@@ -73,6 +73,7 @@ penumbra::SettingList vtkPenumbraRayCaster::Internals::ListSettings(vtkPenumbraR
     { "LightRadius", Describe(self->LightRadius) },
     { "LightAngle", Describe(self->LightAngle) },
     { "LightShaftSteps", Describe(constants.LightShaftSteps) },
+    { "CameraLightShafts", Describe(constants.CameraLightShafts) },
     { "Medium", internals.Medium ? "set" : "none" },
     { "Environment", internals.Environment ? "set" : "none" },
     { "AmbientOcclusion", Describe(self->GetAmbientOcclusion()) },

@@ -120,8 +120,9 @@ void vtkPenumbraRayCaster::Internals::FinishImage(vtkPenumbraRayCaster* self,
   penumbra::RenderJob& job, const penumbra::ImageTotals& totals, vtkImageData* image)
 {
   const bool isEnded = job.IsEnded();
-  const penumbra::ToleranceReport tolerances = penumbra::CheckTolerance(job.GetLimits(), totals,
-    isEnded ? self->TimeLimit : 0.0, image, glm::ivec2(self->Resolution[0], self->Resolution[1]));
+  const penumbra::ToleranceReport tolerances =
+    penumbra::CheckTolerance(job.GetLimits(), this->Constants, totals,
+      isEnded ? self->TimeLimit : 0.0, image, glm::ivec2(self->Resolution[0], self->Resolution[1]));
   if (!tolerances.Warning.empty())
   {
     vtkWarningWithObjectMacro(self, << tolerances.Warning);
@@ -192,8 +193,8 @@ bool vtkPenumbraRayCaster::Internals::Continue(vtkPenumbraRayCaster* self, vtkIm
   if (!isComplete)
   {
     this->Report(totals, image->GetNumberOfPoints());
-    const penumbra::ToleranceReport tolerances = penumbra::CheckTolerance(
-      job.GetLimits(), totals, 0.0, image, glm::ivec2(self->Resolution[0], self->Resolution[1]));
+    const penumbra::ToleranceReport tolerances = penumbra::CheckTolerance(job.GetLimits(),
+      this->Constants, totals, 0.0, image, glm::ivec2(self->Resolution[0], self->Resolution[1]));
     this->ReportLimit(totals, tolerances, true);
     this->AddFieldData(self, image);
     timer.End(TRACING);

@@ -234,7 +234,9 @@ void RenderJob::AddMedium(const WarningFunction& warn)
   std::string warning;
   std::optional<LightShafts> made =
     MakeLightShafts(this->Wanted.Medium, this->Lit, ComputeSceneDiagonal(this->SceneData),
-      { this->GetEffectTolerance(), this->Wanted.Constants.LightShaftSteps }, warning);
+      { this->GetEffectTolerance(), this->Wanted.Constants.LightShaftSteps,
+        this->Wanted.Constants.CameraLightShafts },
+      warning);
   if (made)
   {
     this->Shafts.emplace(*std::move(made));

@@ -93,21 +93,27 @@ TileErrors EvaluateTiles(
   return tiles;
 }
 
-/// Returns the properties whose increase brings most of the tiles within the tolerance.
-const char* FindRemedy(const TileErrors& tiles)
+/// Returns the properties whose increase brings most of the tiles within the tolerance; empty if the caller's
+/// property does not.
+std::string FindRemedy(const TileErrors& tiles, const std::string& property)
 {
   const bool light = tiles.AboveLightTolerance > 0;
+  if (!property.empty())
+  {
+    return light ? " Increase " + property + "." : "";
+  }
   if (light && tiles.AboveOther > 0)
   {
-    return "Increase Tolerance and LightTolerance.";
+    return " Increase Tolerance and LightTolerance.";
   }
-  return light ? "Increase LightTolerance." : "Increase Tolerance.";
+  return light ? " Increase LightTolerance." : " Increase Tolerance.";
 }
 
 }
 
-ToleranceReport CheckTolerance(const IntegrationSettings& settings, const ImageTotals& totals,
-  double timeLimit, vtkImageData* image, const glm::ivec2& resolution)
+ToleranceReport CheckTolerance(const IntegrationSettings& settings,
+  const RayCasterConstants& constants, const ImageTotals& totals, double timeLimit,
+  vtkImageData* image, const glm::ivec2& resolution)
 {
   const TileErrors tiles = EvaluateTiles(image, resolution, settings);
   const double limit = settings.GetTileTolerance();
@@ -126,10 +132,11 @@ ToleranceReport CheckTolerance(const IntegrationSettings& settings, const ImageT
   {
     text << "The time limit of " << timeLimit << " s ended the work. ";
   }
-  text << "The tolerance of " << limit << " was not reached in " << tiles.AboveTolerance << " of "
-       << tiles.Tiles << " tiles of 16x16 pixels. The largest estimated error of a tile is "
-       << tiles.MaximumError << ". "
-       << (timeLimit > 0.0 ? "Increase TimeLimit." : FindRemedy(tiles));
+  const std::string& property = constants.ToleranceProperty;
+  text << "The tolerance of " << (property.empty() ? limit : constants.ToleranceValue)
+       << " was not reached in " << tiles.AboveTolerance << " of " << tiles.Tiles
+       << " tiles of 16x16 pixels. The largest estimated error of a tile is " << tiles.MaximumError
+       << "." << (timeLimit > 0.0 ? " Increase TimeLimit." : FindRemedy(tiles, property));
   report.Warning = text.str();
   return report;
 }

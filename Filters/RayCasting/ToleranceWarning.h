@@ -6,6 +6,7 @@
 #define penumbra_ToleranceWarning_h
 
 #include "Image/ImageRenderer.h"
+#include "vtkPenumbraRayCasterConstants.h"
 
 #include "vtkType.h"
 
@@ -29,11 +30,13 @@ struct ToleranceReport
  * Compares the estimated errors of the tiles of `image` with the tolerance of a tile. There is a
  * warning if that of the image, of 4 tiles, or of 1 % of the tiles exceeds it. `image` has the arrays of
  * RenderImage() and may be a part of an image of `resolution` pixels: what it lacks of a tile counts as
- * exact, because the tolerance is that of whole tiles. `totals`: of `image`. `timeLimit`: seconds of the
+ * exact, because the tolerance is that of whole tiles. `constants`: name and value of the tolerance in the warning.
+ * `totals`: of `image`. `timeLimit`: seconds of the
  * limit that ended the work, which warns of a single tile; 0 if none did.
  */
-ToleranceReport CheckTolerance(const IntegrationSettings& settings, const ImageTotals& totals,
-  double timeLimit, vtkImageData* image, const glm::ivec2& resolution);
+ToleranceReport CheckTolerance(const IntegrationSettings& settings,
+  const RayCasterConstants& constants, const ImageTotals& totals, double timeLimit,
+  vtkImageData* image, const glm::ivec2& resolution);
 
 }
 #endif

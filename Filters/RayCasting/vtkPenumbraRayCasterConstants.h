@@ -6,6 +6,8 @@
 #ifndef vtkPenumbraRayCasterConstants_h
 #define vtkPenumbraRayCasterConstants_h
 
+#include <string>
+
 namespace penumbra
 {
 
@@ -34,12 +36,20 @@ struct RayCasterConstants
   /// the boundaries of shafts. 0: the number that LightTolerance requires. Range: [0, 4096].
   int LightShaftSteps = 0;
 
+  /// If false, camera lights of vtkLight, such as those of vtkLightKit, light no medium.
+  bool CameraLightShafts = true;
+
   /// If false, GeometryArrays does not compute ambient occlusion: the array `AmbientOcclusion` then
   /// holds NaN at pixels that show a surface.
   bool OcclusionArray = true;
 
   /// If true, corner rays are traced in packets of 16.
   bool UsePackets = true;
+
+  /// The property of a caller that sets LightTolerance to its value, and Tolerance to a value of its own, for the
+  /// warning of a missed tolerance. Empty: that warning has the names and values of the ray caster.
+  std::string ToleranceProperty;
+  double ToleranceValue = 0.0;
 };
 
 }

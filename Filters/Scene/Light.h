@@ -34,6 +34,7 @@ struct Light
   float Radius = 0.f;        ///< Positional: of the sphere; Spot: of the disk across Direction
   float AngularRadius = 0.f; ///< Directional: half the angular diameter, in radians
   bool CastsShadow = true;
+  bool MovesWithCamera = false; ///< a camera light of vtkLight
   /// If true, the light is directional and along the view axis. VTK uses a simpler lighting model
   /// if this is the only light.
   bool Headlight = false;

@@ -13,7 +13,6 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from plugin import *
 
 PLUGIN = os.environ["PENUMBRA_PLUGIN"]
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 RENDER = """
 from paraview.simple import *

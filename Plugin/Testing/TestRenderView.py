@@ -11,7 +11,6 @@ from plugin import *
 from paraview import smstate, smtrace
 from paraview.modules import vtkRemotingServerManager
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SETTINGS = {
     "Tolerance": 0.02, "AmbientOcclusion": 0, "OcclusionRadius": 0.2, "OcclusionStrength": 0.5,
     "OcclusionKernel": "horizon", "LightShafts": 1, "ShaftDensity": 0.5, "ShaftExposure": 3.0,
@@ -176,6 +175,16 @@ class RenderViewPenumbra(unittest.TestCase):
         self.assertLess(rmse(dimmed[..., 0][mask] / 255, reference), 0.003)
         self.view.SunIntensity = 5
         self.assertGreater((self.image()[mask] / 255 - dimmed[mask] / 255).max(), 0.02)
+
+    def test_the_light_kit_does_not_light_the_haze(self):
+        self.view.AmbientOcclusion = 0
+        self.view.LightShafts = 1
+        for rays in 0, 1:
+            self.view.StillByRays = rays
+            images = []
+            for self.view.UseLight in 1, 0:
+                images.append(self.image())
+            numpy.testing.assert_array_equal(*images)
 
     def test_extinction_of_small_particles_matches_the_closed_form(self):
         self.view.AmbientOcclusion = 0

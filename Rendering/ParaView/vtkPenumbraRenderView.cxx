@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraRenderView.h"
 #include "vtkPenumbraOcclusionConstants.h"
+#include "vtkPenumbraRayCasterConstants.h"
 #include "vtkPenumbraShaftConstants.h"
 
 #include "RenderViewPass.h"
@@ -26,9 +27,8 @@
 #include "vtkVolumeCollection.h"
 
 #include <algorithm>
-#include <regex>
 #include <set>
-#include <sstream>
+#include <string>
 
 vtkStandardNewMacro(vtkPenumbraRenderView);
 
@@ -71,21 +71,13 @@ bool HasVisibleTranslucentActors(vtkRenderer* renderer)
   return false;
 }
 
-/// Returns a message of the ray caster without its source, with the tolerance of the view, which has only one.
-std::string TranslateTolerance(const std::string& message, double tolerance)
+/// Returns a message of VTK without its source.
+std::string RemoveSource(const std::string& message)
 {
   const std::size_t source = message.find("): ");
   std::string text = source == std::string::npos ? message : message.substr(source + 3);
   text.erase(text.find_last_not_of('\n') + 1);
-  if (text.find("LightTolerance") == std::string::npos)
-  {
-    return text.substr(
-      0, text.find(" Increase ")); // that of antialiasing, which the view does not set
-  }
-  std::ostringstream number;
-  number << "The tolerance of " << tolerance << " was";
-  text = std::regex_replace(text, std::regex("The tolerance of [^ ]+ was"), number.str());
-  return std::regex_replace(text, std::regex("(Tolerance and )?LightTolerance\\."), "Tolerance.");
+  return text;
 }
 
 }
@@ -258,12 +250,15 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   vtkPenumbraRayCaster* caster = pass->Caster;
   caster->SetTolerance(std::min(1.0 / 256.0, this->PenumbraTolerance));
   caster->SetLightTolerance(this->PenumbraTolerance);
+  caster->GetConstants().ToleranceProperty = "Tolerance";
+  caster->GetConstants().ToleranceValue = this->PenumbraTolerance;
   caster->SetAmbientOcclusion(this->AmbientOcclusion);
   caster->SetAmbientOcclusionRadius(this->OcclusionRadius * diagonal);
   caster->SetAmbientOcclusionStrength(this->OcclusionStrength);
   this->ConfigureMedium(this->Implementation->Medium.Get());
   caster->SetMedium(this->LightShafts ? this->Implementation->Medium.Get() : nullptr);
   caster->SetShadows(this->LightShafts);
+  caster->GetConstants().CameraLightShafts = false; // as in frames that are not ray cast
   caster->SetLightAngle(this->SunAngle);
 }
 
@@ -315,8 +310,7 @@ void vtkPenumbraRenderView::WarnOnce(const char* text)
 
 void vtkPenumbraRenderView::ReportWarning(vtkObject*, unsigned long, void* message)
 {
-  vtkWarningMacro(<< TranslateTolerance(
-                    static_cast<const char*>(message), this->PenumbraTolerance));
+  vtkWarningMacro(<< RemoveSource(static_cast<const char*>(message)));
 }
 
 void vtkPenumbraRenderView::AboutToRenderOnLocalProcess(bool interactive)

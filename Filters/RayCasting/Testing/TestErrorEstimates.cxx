@@ -6,6 +6,7 @@
 #include "BruteForce/StratifiedReference.h"
 #include "Scenes/AccuracyScenes.h"
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraRayCasterConstants.h"
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
@@ -146,6 +147,13 @@ TEST(ErrorWarnings, AgreeWithTheEstimatedErrorOfTiles)
         << warnings;
       EXPECT_EQ(warnings.empty(), !missed) << warnings;
       ++cases[missed ? 0 : 1];
+      caster->GetConstants().ToleranceProperty = "Accuracy";
+      caster->GetConstants().ToleranceValue = 0.75;
+      caster->Modified();
+      warnings.clear();
+      caster->Update();
+      EXPECT_EQ(warnings.find("The tolerance of 0.75 was") != std::string::npos, missed);
+      EXPECT_EQ(warnings.find("Increase"), warnings.find("Increase Accuracy.")) << warnings;
     }
   }
   EXPECT_GT(cases[0], 0);

@@ -141,6 +141,22 @@ TEST_F(MediumTest, MatchesTheClosedForm)
   }
 }
 
+TEST_F(MediumTest, IsNotLitByCameraLightsWithoutCameraLightShafts)
+{
+  const std::vector<float> alone = this->Render();
+  vtkNew<vtkLight> cameraLight;
+  cameraLight->SetLightTypeToCameraLight();
+  cameraLight->SetPosition(1.0, 1.0, 1.0);
+  this->Renderer->AddLight(cameraLight);
+  EXPECT_NE(this->Render(), alone);
+  this->Caster->GetConstants().CameraLightShafts = false;
+  this->Caster->Modified();
+  EXPECT_EQ(this->Render(), alone);
+  this->Renderer->RemoveLight(this->Light);
+  this->Render();
+  EXPECT_EQ(this->Warnings, 1); // No light is left.
+}
+
 TEST_F(MediumTest, AttenuatesTheBackground)
 {
   // The light is negligible. The path through the medium has a length of 6.3.

@@ -20,7 +20,8 @@ LightShafts::LightShafts(const Shading& shading, const SpectralMedium& medium, M
   const std::vector<AxisAlignedBox> boxes = BoundOccluders(scene.Surfaces);
   for (const Light& light : scene.Lights)
   {
-    if (light.CastsShadow && light.DiffuseColor != glm::vec3(0.f))
+    const bool isLit = light.CastsShadow && (quality.CameraLights || !light.MovesWithCamera);
+    if (isLit && light.DiffuseColor != glm::vec3(0.f))
     {
       this->Lights.push_back(light);
       this->Shadows.emplace_back(boxes, light);

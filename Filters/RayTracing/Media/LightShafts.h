@@ -25,6 +25,7 @@ public:
   {
     double Tolerance; ///< accepted error of a color channel
     int Steps;        ///< shadow rays per light and ray, not counting bisection; 0: from Tolerance
+    bool CameraLights = true; ///< if false, lights that move with the camera are ignored
   };
 
   /// Lights that cast no shadows, such as headlights, are ignored. `shading` must outlive this

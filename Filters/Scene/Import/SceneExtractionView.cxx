@@ -228,6 +228,7 @@ Light ConvertLight(vtkRenderer* renderer, vtkLight* light, const LightSize& size
   Light result;
   result.Headlight = light->LightTypeIsHeadlight() && !light->GetPositional();
   result.CastsShadow = !light->LightTypeIsHeadlight();
+  result.MovesWithCamera = light->LightTypeIsCameraLight();
   if (light->GetPositional())
   {
     // As in VTK, a cone angle of 90 degrees or more means a light without a cone.
