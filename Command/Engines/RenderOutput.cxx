@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderOutput.h"
 
+#include "CollectionItems.h"
 #include "Files/ImageFiles.h"
 #include "Files/InputFiles.h"
 #include "Files/Report.h"
+#include "Input/DataSetValidation.h"
 #include "Options/RenderOptions.h"
 #include "Processes/CommandError.h"
 #include "Processes/ProgressLine.h"
@@ -16,6 +18,7 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkMapper.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
@@ -49,6 +52,16 @@ bool ShowsOnlyBackground(vtkImageData* image, vtkRenderer* renderer, bool backgr
   return true;
 }
 
+/// Returns whether all surfaces have zero area, which is reported when they are read.
+bool ShowsOnlyZeroArea(vtkRenderer* renderer)
+{
+  const std::vector<vtkActor*> actors = GetItems<vtkActor>(renderer->GetActors());
+  return std::all_of(actors.begin(), actors.end(), [](vtkActor* actor) {
+    auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput());
+    return mesh && HasOnlyZeroArea(mesh);
+  });
+}
+
 // Returns the reason why an image shows no surface; empty if it shows one.
 std::string DescribeEmptyImage(
   const RenderResult& result, vtkRenderer* renderer, const RenderOptions& options)
@@ -66,6 +79,10 @@ std::string DescribeEmptyImage(
   if (renderer->GetActors()->GetNumberOfItems() == 0)
   {
     return "the time step is empty";
+  }
+  if (ShowsOnlyZeroArea(renderer))
+  {
+    return std::string();
   }
   if (options.Opacity == 0.0)
   {

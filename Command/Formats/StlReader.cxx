@@ -112,23 +112,23 @@ public:
     {
       ids[i] = this->Points.Insert(corners[i]);
     }
-    if (ids[0] != ids[1] && ids[0] != ids[2] && ids[1] != ids[2])
-    {
-      this->Cells->InsertNextCell(3, ids);
-    }
+    const bool isDegenerate = ids[0] == ids[1] || ids[0] == ids[2] || ids[1] == ids[2];
+    (isDegenerate ? this->Degenerate : this->Cells)->InsertNextCell(3, ids);
   }
 
   vtkSmartPointer<vtkPolyData> MakeMesh(int type) const
   {
     auto mesh = vtkSmartPointer<vtkPolyData>::New();
     mesh->SetPoints(this->Points.MakePoints(type));
-    mesh->SetPolys(this->Cells);
+    // A mesh of points only would be rendered as a point cloud.
+    mesh->SetPolys(this->Cells->GetNumberOfCells() > 0 ? this->Cells : this->Degenerate);
     return mesh;
   }
 
 private:
   PointMerger Points;
   vtkNew<vtkCellArray> Cells;
+  vtkNew<vtkCellArray> Degenerate; ///< triangles with coincident corners
 };
 
 std::size_t DeclaredTriangles(const TextFile& file)

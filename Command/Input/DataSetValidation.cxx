@@ -2,20 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DataSetValidation.h"
 
+#include "Geometry/CurvedCells.h"
+
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkGenericCell.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <array>
+#include <cfloat>
+#include <cmath>
 #include <sstream>
 
 namespace penumbra
@@ -144,6 +152,44 @@ std::string FindInconsistency(vtkDataSetAttributes* attributes, vtkIdType tuples
   return std::string();
 }
 
+/// Returns whether three points are on one line, within `rounding` of their coordinates.
+bool AreOnOneLine(vtkPoints* points, const vtkIdType* ids, double rounding)
+{
+  double corners[3][3];
+  double edges[2][3];
+  double normal[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    points->GetPoint(ids[i], corners[i]);
+  }
+  vtkMath::Subtract(corners[1], corners[0], edges[0]);
+  vtkMath::Subtract(corners[2], corners[0], edges[1]);
+  vtkMath::Cross(edges[0], edges[1], normal);
+  return vtkMath::Norm(normal) <=
+    rounding * std::max(vtkMath::Norm(edges[0]), vtkMath::Norm(edges[1]));
+}
+
+/// Returns whether all cells have zero area. The first corner of a polygon is in all its triangles; those
+/// of a strip are three successive corners.
+bool HaveZeroArea(vtkPoints* points, vtkCellArray* cells, bool areStrips, double rounding)
+{
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellAtId(cell, corners);
+    for (vtkIdType i = 2; i < corners->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType first = corners->GetId(areStrips ? i - 2 : 0);
+      const vtkIdType triangle[3] = { first, corners->GetId(i - 1), corners->GetId(i) };
+      if (!AreOnOneLine(points, triangle, rounding))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 }
 
 std::string FindInconsistency(vtkDataSet* data)
@@ -175,6 +221,29 @@ std::string FindInconsistency(vtkDataSet* data)
     check(FindInconsistency(data->GetCellData(), data->GetNumberOfCells()));
   }
   return inconsistency;
+}
+
+bool HasOnlyZeroArea(vtkPolyData* mesh)
+{
+  const vtkIdType faces = mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips();
+  if (faces == 0 || faces < mesh->GetNumberOfCells() ||
+    mesh->GetCellData()->HasArray(CurvedFaceIds))
+  {
+    return false;
+  }
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  double largest = 0.0;
+  for (const double bound : bounds)
+  {
+    largest = std::max(largest, std::abs(bound));
+  }
+  vtkPoints* points = mesh->GetPoints();
+  const bool isFloat = points->GetDataType() == VTK_FLOAT;
+  // Each coordinate is off by half a unit in the last place.
+  const double rounding = 2.0 * largest * (isFloat ? FLT_EPSILON : DBL_EPSILON);
+  return HaveZeroArea(points, mesh->GetPolys(), false, rounding) &&
+    HaveZeroArea(points, mesh->GetStrips(), true, rounding);
 }
 
 }

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Validation of data sets: damaged files can contain indices of missing points.
+// Validation of data sets: damaged files can contain indices of missing points, or cells without area.
 #ifndef penumbra_DataSetValidation_h
 #define penumbra_DataSetValidation_h
 
 #include <string>
 
 class vtkDataSet;
+class vtkPolyData;
 
 namespace penumbra
 {
@@ -15,6 +16,10 @@ namespace penumbra
 /// Returns the first inconsistency of `data`: an index out of range, a cell with too few points, or
 /// an array that is too short. Empty if the data set is valid.
 std::string FindInconsistency(vtkDataSet* data);
+
+/// Returns whether `mesh` has polygons or strips that all have zero area within the rounding of its
+/// coordinates, and neither lines nor vertices. False for the faces of curved cells.
+bool HasOnlyZeroArea(vtkPolyData* mesh);
 
 }
 #endif

@@ -214,6 +214,7 @@ Surfaces ExtractSurfaces(
     if (mesh->GetNumberOfCells() > 0 && mesh->GetNumberOfPoints() > 0)
     {
       surfaces.RoundingStep = std::max(surfaces.RoundingStep, FindRoundingStepOfPoints(mesh));
+      surfaces.HasArea = surfaces.HasArea || !HasOnlyZeroArea(mesh);
       surfaces.Meshes.push_back(mesh);
       surfaces.Names.push_back(NameSource(path, i, dataSets.size()));
       surfaces.Actors.push_back(appearance.Actors[i]);
@@ -293,6 +294,7 @@ void Surfaces::Append(const Surfaces& other)
   this->Points += other.Points;
   this->DroppedPoints += other.DroppedPoints;
   this->RoundingStep = std::max(this->RoundingStep, other.RoundingStep);
+  this->HasArea = this->HasArea || other.HasArea;
 }
 
 Surfaces ReadSurfaces(const std::string& path, const InputOptions& options)
@@ -317,6 +319,12 @@ Surfaces ReadSurfaces(const std::string& path, const InputOptions& options)
          << "; subtract an offset from them before they are stored, or store them in double "
             "precision";
     surfaces.Warnings.push_back(text.str());
+  }
+  if (!surfaces.Meshes.empty() && !surfaces.HasArea)
+  {
+    surfaces.Warnings.push_back(
+      "the surface has no area: the corners of every polygon coincide or are on one "
+      "line; export the mesh again");
   }
   NameFile(path, surfaces.Warnings);
   if (surfaces.Meshes.empty() && surfaces.DroppedPoints > 0)

@@ -250,6 +250,22 @@ const Row Rows[] = {
   // Success with one warning
   { "NanPoint", 0, PlyWithNan, "ply", {},
     { "warning", "mesh.ply", "1 of 4 points", "not finite" } },
+  { "TrianglesOnALine", 0, "v 0 0 0\nv .1 .1 .1\nv .3 .3 .3\nv .7 .7 .7\nf 1 2 3\nf 2 3 4\n", "obj",
+    {}, { "warning", "mesh.obj", "the surface has no area" } },
+  { "TrianglesOnALineByRaster", 0, "v 0 0 0\nv 1 1 1\nv 3 3 3\nf 1 2 3\n", "obj",
+    { "--engine", "raster" }, { "warning", "mesh.obj", "the surface has no area" } },
+  { "StlOfCoincidentCorners", 0,
+    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 0 0\nendloop\n"
+    "endfacet\nendsolid a\n",
+    "stl", {}, { "warning", "mesh.stl", "the surface has no area" } },
+  { "SurfaceWithoutAreaNextToAnother", 0, "v 0 0 0\nv 1 1 1\nf 1 2 1\n", "obj",
+    { SourceFolder() + "/Data/bracket.stl" },
+    { "warning", "mesh.obj", "the surface has no area" } },
+  { "StripOnALine", 0,
+    "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0 2 0 0 3 0 "
+    "0\n"
+    "TRIANGLE_STRIPS 1 5\n4 0 1 2 3\n",
+    "vtk", {}, { "warning", "mesh.vtk", "the surface has no area" } },
   { "LookingAway", 0, Square, "stl",
     { "--camera-position", "0,0,5", "--camera-focal-point", "0,0,9" },
     { "warning", "no surface is in view", "--camera" } },
@@ -328,6 +344,8 @@ const Row Rows[] = {
   { "DegenerateTriangle", 0, ObjWithDegenerateTriangle, "obj", {}, {} },
   { "EyeInTheSurface", 0, Square, "stl", { "--camera-position", "0,0,0.001" }, {} },
   { "FractionForANumber", 0, Square, "stl", { "--tolerance", "1/128" }, {} },
+  { "SmallTriangleFarFromTheOrigin", 0, "v 4e6 0 0\nv 4000001 0 0\nv 4e6 .5 0\nf 1 2 3\n", "obj",
+    {}, {} },
   { "OnePixel", 0, Square, "stl", { "--resolution", "1,1" }, {} },
   { "ShortDirection", 0, Square, "stl",
     { "--camera-direction", "1e-200,0,-1e-200", "--camera-view-up", "0,1e-300,0" }, {} },
