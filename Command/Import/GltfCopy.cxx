@@ -10,6 +10,7 @@
 #include "GltfContainer.h"
 #include "GltfEmission.h"
 #include "GltfImages.h"
+#include "GltfValidation.h"
 #include "GltfVersion1.h"
 #include "Processes/CommandError.h"
 
@@ -58,6 +59,29 @@ public:
     }
   }
 
+  /// Throws CommandError at what VTK's reader does not check.
+  void Validate() const
+  {
+    this->RefuseCompression();
+    std::vector<std::size_t> sizes;
+    for (const Json& buffer : ListOf(this->Root, "buffers"))
+    {
+      sizes.push_back(this->CountBytes(buffer));
+      const std::size_t declared = buffer.value("byteLength", std::size_t(0));
+      if (declared > sizes.back())
+      {
+        this->Fail("the file is damaged: buffer " + std::to_string(sizes.size() - 1) + " has " +
+          std::to_string(sizes.back()) + " instead of " + std::to_string(declared) +
+          " bytes; copy it again");
+      }
+    }
+    const std::string fault = FindGltfFault(this->Root, sizes);
+    if (!fault.empty())
+    {
+      this->Fail("the file is damaged: " + fault + "; export it again");
+    }
+  }
+
   /// Returns whether VTK's reader may refuse the file. It reports invalid JSON itself.
   bool IsNeeded() const
   {
@@ -96,7 +120,6 @@ public:
   /// Makes one buffer and dense accessors.
   void SimplifyGeometry()
   {
-    this->RefuseCompression();
     AddScene(this->Root);
     this->JoinBuffers();
     for (Json& accessor : this->Root["accessors"])
@@ -166,13 +189,30 @@ private:
     {
       return DecodeDataUri(uri);
     }
+    const MappedFile file(this->FindBuffer(uri));
+    return std::string(file.Begin(), file.End());
+  }
+
+  /// Returns the path of a buffer that is a file.
+  std::string FindBuffer(const std::string& uri) const
+  {
     const std::string name = DecodePath(uri);
-    const MappedFile file((std::filesystem::path(this->Path).parent_path() / name).string());
-    if (file.Size() == 0)
+    const std::filesystem::path path = std::filesystem::path(this->Path).parent_path() / name;
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (error || size == 0)
     {
       this->Fail("its buffer '" + name + "' is missing; copy it to the folder of the file");
     }
-    return std::string(file.Begin(), file.End());
+    return path.string();
+  }
+
+  std::size_t CountBytes(const Json& buffer) const
+  {
+    const std::string uri = buffer.value("uri", std::string());
+    return uri.empty()                  ? this->Source.Binary.size()
+      : uri.compare(0, 5, "data:") == 0 ? DecodeDataUri(uri).size()
+                                        : std::filesystem::file_size(this->FindBuffer(uri));
   }
 
   void JoinBuffers()
@@ -432,6 +472,7 @@ std::string CopyGltf(const std::string& path, Appearance* appearance)
   {
     Copy copy(path);
     copy.RequireMeshes();
+    copy.Validate();
     if (!copy.IsNeeded())
     {
       return {};
