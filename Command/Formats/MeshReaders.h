@@ -45,5 +45,9 @@ vtkSmartPointer<vtkDataObject> ReadPts(const std::string& path);
 /// Text in any case and indentation, and binary. Coincident points are merged.
 vtkSmartPointer<vtkDataObject> ReadStl(const std::string& path);
 
+/// Returns what ReadStl() does not read of a binary file, such as triangles that its header does not
+/// declare; empty if it reads all.
+std::string DescribeUnreadStl(const std::string& path);
+
 }
 #endif

@@ -153,20 +153,32 @@ bool IsAscii(const TextFile& file)
     !std::memchr(file.Begin(), '\0', head);
 }
 
+/// Returns the number of triangles in the file, also of those that it does not declare.
+std::size_t HeldTriangles(const TextFile& file)
+{
+  return (file.Size() - BinaryHeaderSize) / BinaryTriangleSize;
+}
+
+/// Programs that write while they compute may leave the number of the header at 0.
+std::size_t TrianglesToRead(const TextFile& file)
+{
+  const std::size_t declared = DeclaredTriangles(file);
+  return declared == 0 ? HeldTriangles(file) : declared;
+}
+
 vtkSmartPointer<vtkPolyData> ReadBinary(const std::string& path, const TextFile& file)
 {
   if (file.Size() < BinaryHeaderSize)
   {
     ThrowTruncated(path, "triangle");
   }
-  const std::size_t held = (file.Size() - BinaryHeaderSize) / BinaryTriangleSize;
-  const std::size_t declared = DeclaredTriangles(file);
-  if (declared > held)
+  const std::size_t count = TrianglesToRead(file);
+  if (count > HeldTriangles(file))
   {
-    ThrowTruncated(path, "triangle");
+    ThrowDamaged(path,
+      "it has " + std::to_string(HeldTriangles(file)) + " of the " + std::to_string(count) +
+        " triangles that its header declares");
   }
-  // Programs that write while they compute may leave the number at 0.
-  const std::size_t count = declared == 0 ? held : declared;
   Triangles triangles;
   const char* at = file.Begin() + BinaryHeaderSize;
   for (std::size_t i = 0; i < count; ++i, at += BinaryTriangleSize)
@@ -272,6 +284,31 @@ vtkSmartPointer<vtkDataObject> ReadStl(const std::string& path)
 {
   const TextFile file(path);
   return IsAscii(file) ? ReadAscii(path, file) : ReadBinary(path, file);
+}
+
+std::string DescribeUnreadStl(const std::string& path)
+{
+  const TextFile file(path);
+  if (IsAscii(file))
+  {
+    return std::string();
+  }
+  const std::size_t read = BinaryHeaderSize + BinaryTriangleSize * TrianglesToRead(file);
+  // Zeros and white space are padding.
+  const bool isPadding =
+    std::string_view(file.Begin() + read, file.Size() - read)
+      .find_first_not_of(std::string_view("\0 \t\r\n", 5)) == std::string_view::npos;
+  if (isPadding)
+  {
+    return std::string();
+  }
+  const std::size_t rest = file.Size() - read;
+  const std::string skipped = std::to_string(rest) + (rest == 1 ? " byte" : " bytes");
+  return DeclaredTriangles(file) == 0
+    ? "it ends within a triangle, whose " + skipped + " were skipped; copy it again"
+    : "the number of triangles in its header is " + std::to_string(DeclaredTriangles(file)) +
+      "; the " + skipped + " after them, as many as " + std::to_string(rest / BinaryTriangleSize) +
+      " triangles have, were skipped; export it again";
 }
 
 }

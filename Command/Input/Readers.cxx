@@ -130,12 +130,22 @@ Algorithm MakeSeries(const std::string& path)
     BadInput, path + ": a time series is not supported here; name one of its files");
 }
 
+void WarnOfUnreadStl(
+  vtkAlgorithm*, const std::string& path, vtkDataObject*, std::vector<std::string>& warnings)
+{
+  const std::string unread = DescribeUnreadStl(path);
+  if (!unread.empty())
+  {
+    warnings.push_back(unread);
+  }
+}
+
 #define PENUMBRA_READER(reader) #reader, Make < reader>
 
 std::vector<ReaderRow> MakeTable()
 {
   return {
-    { { ".stl" }, "Stereolithography", "Penumbra", nullptr, ReadStl },
+    { { ".stl" }, "Stereolithography", "Penumbra", nullptr, ReadStl, WarnOfUnreadStl },
     { { ".ply" }, "Stanford polygons", "Penumbra", nullptr, ReadPly },
     { { ".obj" }, "Wavefront", "Penumbra", nullptr, ReadObj, nullptr, nullptr, nullptr, ImportObj },
     { { ".off" }, "Object File Format", "Penumbra", nullptr, ReadOff },
@@ -265,7 +275,12 @@ vtkSmartPointer<vtkDataObject> ReadData(const std::string& path, std::optional<d
   }
   if (row.Read)
   {
-    return row.Read(path);
+    const vtkSmartPointer<vtkDataObject> data = row.Read(path);
+    if (row.Complete)
+    {
+      row.Complete(nullptr, path, data, warnings);
+    }
+    return data;
   }
   TakeErrors();
   const TemporaryFile copy(row.Prepare ? row.Prepare(path, appearance) : std::string());

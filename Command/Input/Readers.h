@@ -26,8 +26,8 @@ struct ReaderRow
   std::string ReaderClass;
   vtkSmartPointer<vtkAlgorithm> (*Make)(const std::string& path); ///< null: Read
   vtkSmartPointer<vtkDataObject> (*Read)(const std::string& path) = nullptr;
-  /// Corrects what the algorithm of Make read, and appends warnings without the name of the file; null: nothing to
-  /// correct.
+  /// Corrects what was read, and appends warnings without the name of the file; null: nothing to correct. `reader`:
+  /// the algorithm of Make, or null.
   void (*Complete)(vtkAlgorithm* reader, const std::string& path, vtkDataObject* data,
     std::vector<std::string>& warnings) = nullptr;
   /// Returns a temporary file to read instead, or an empty path; null: reads the file. May set the
