@@ -43,14 +43,14 @@ TEST(BinaryStl, BytesThatDoNotFitTheHeaderAreReported)
     { "undeclared", BinaryStl(4, 0), 0, "" },
     { "padded", BinaryStl(4, 4) + std::string(99, '\0') + "\r\n", 0, "" },
     { "more", BinaryStl(4, 1), 0,
-      "its header declares 1 triangles; the 150 bytes after them, as many as 3 triangles, were "
-      "skipped" },
+      "the number of triangles in its header is 1; the 150 bytes after them, as many as "
+      "3 triangles have, were skipped" },
     { "joined", BinaryStl(2, 2) + BinaryStl(2, 2), 0,
-      "its header declares 2 triangles; the 184 bytes after them, as many as 3 triangles, were "
-      "skipped" },
+      "the number of triangles in its header is 2; the 184 bytes after them, as many as "
+      "3 triangles have, were skipped" },
     { "text", BinaryStl(4, 4) + "end", 0,
-      "its header declares 4 triangles; the 3 bytes after them, as many as 0 triangles, were "
-      "skipped" },
+      "the number of triangles in its header is 4; the 3 bytes after them, as many as "
+      "0 triangles have, were skipped" },
     { "part", BinaryStl(4, 0).substr(0, 84 + 190), 0,
       "it ends within a triangle, whose 40 bytes were skipped" },
     { "fewer", BinaryStl(4, 9), 2, "the file is damaged: it has 4 of the 9 triangles" },
