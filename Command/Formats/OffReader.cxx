@@ -107,11 +107,10 @@ private:
     if (end > 0)
     {
       std::string_view prefix = word.substr(0, end - 3);
-      this->HasTCoords = Take(prefix, "ST");
-      this->HasColors = Take(prefix, "C");
-      this->HasNormals = Take(prefix, "N");
-      this->HasWeights = Take(prefix, "4");
-      if (!prefix.empty())
+      // Geomview's nOFF has vertices of n dimensions.
+      const bool hasDimension = prefix.find('n') != prefix.npos && word[end - 3] == 'O';
+      this->ReadPrefix(prefix);
+      if (!prefix.empty() || hasDimension)
       {
         throw CommandError(BadInput,
           this->Path + ": the format " + std::string(word.substr(0, end)) +
@@ -137,6 +136,19 @@ private:
       static_cast<double>(this->Text.Left()) + 1.0)
     {
       ThrowTruncated(this->Path, "face");
+    }
+  }
+
+  /// Removes the variants from the prefix. MeshLab writes them in another order than Geomview, CSTOFF.
+  void ReadPrefix(std::string_view& prefix)
+  {
+    for (std::size_t size = std::string_view::npos; size != prefix.size();)
+    {
+      size = prefix.size();
+      this->HasTCoords = Take(prefix, "ST") || this->HasTCoords;
+      this->HasColors = Take(prefix, "C") || this->HasColors;
+      this->HasNormals = Take(prefix, "N") || this->HasNormals;
+      this->HasWeights = Take(prefix, "4") || this->HasWeights;
     }
   }
 

@@ -110,17 +110,40 @@ bool IsInFormat12(const FontData& font, std::size_t table, char32_t character)
   return false;
 }
 
+/// Bytes, whose characters above 127 depend on the platform.
+bool IsInFormat0(const FontData& font, std::size_t table, char32_t character)
+{
+  return character < 0x80 && (font.Short(table + 6 + std::size_t(character)) >> 8) != 0;
+}
+
+/// One range of 16-bit characters.
+bool IsInFormat6(const FontData& font, std::size_t table, char32_t character)
+{
+  const std::uint32_t first = font.Short(table + 6);
+  const std::uint32_t count = font.Short(table + 8);
+  return character < 0x80 && character >= first && character - first < count &&
+    font.Short(table + 10 + 2 * (std::size_t(character) - first)) != 0;
+}
+
+/// VTK uses the first table that FreeType can read.
 bool HasCharacter(const FontData& font, std::size_t map, char32_t character)
 {
   const std::uint32_t tables = font.Short(map + 2);
   for (std::uint32_t i = 0; i < tables; ++i)
   {
     const std::size_t table = map + font.Long(map + 4 + 8 * std::size_t(i) + 4);
-    const std::uint32_t format = font.Short(table);
-    if ((format == 4 && IsInFormat4(font, table, character)) ||
-      (format == 12 && IsInFormat12(font, table, character)))
+    switch (font.Short(table))
     {
-      return true;
+      case 0:
+        return IsInFormat0(font, table, character);
+      case 4:
+        return IsInFormat4(font, table, character);
+      case 6:
+        return IsInFormat6(font, table, character);
+      case 12:
+        return IsInFormat12(font, table, character);
+      default:
+        break;
     }
   }
   return false;

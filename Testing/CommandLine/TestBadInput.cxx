@@ -216,6 +216,8 @@ const Row Rows[] = {
   { "TextAsVtp", 2, "hello\n", "vtp", {}, { "mesh.vtp", "damaged" } },
   { "TextAsGltf", 2, "hello\n", "gltf", {}, { "mesh.gltf", "damaged" } },
   { "TextAsOff", 2, "hello\n", "off", {}, { "mesh.off", "damaged" } },
+  { "OffOfTwoDimensions", 2, "nOFF\n2\n3 1 3\n0 0\n1 0\n0 1\n3 0 1 2\n", "off", {},
+    { "mesh.off", "nOFF has vertices of another dimension" } },
   { "TextAsExodus", 2, "hello\n", "ex2", {}, { "mesh.ex2", "damaged" } },
   { "CutStl", 2, "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n", "stl", {},
     { "mesh.stl", "damaged" } },

@@ -320,12 +320,32 @@ TEST(Off, VariantsGiveTheSameImage)
     { "blank-lines", Replace(Off(cube), "\n", "\n\n") },
     { "colors", Off(cube, "COFF\n", " 255 0 0 255") },
     { "appended-colors", Off(cube, "OFF\n", " 1.0 0 0") },
-    { "coordinates", Off(cube, "STOFF\n", " 0 0") }, { "weights", Off(cube, "4OFF\n", " 1") },
-    { "face-colors", Off(cube, "OFF\n", "", " 0 255 0") },
+    { "coordinates", Off(cube, "STOFF\n", " 0 0") },
+    { "meshlab", Off(cube, "CSTOFF\n", " 255 0 0 255 0 0") },
+    { "weights", Off(cube, "4OFF\n", " 1") }, { "face-colors", Off(cube, "OFF\n", "", " 0 255 0") },
     { "face-indices", Off(cube, "OFF\n", "", " 7") },
     { "one-line", Replace(Off(cube), "\n", " ") + "\n" },
     { "dos", Replace(Off(cube), "\n", "\r\n") } };
   ExpectImagesOf(folder, cube, ".off", variants);
+}
+
+TEST(Off, NormalsAreThoseOfPly)
+{
+  const Folder folder("noff");
+  const Mesh cube = Cube();
+  const std::string normal = " 0.6 0 0.8";
+  WriteText(folder / "normals.off", Off(cube, "NOFF\n", normal));
+  WriteText(folder / "plain.off", Off(cube));
+  WriteText(folder / "reference.ply",
+    Replace(PlyHeader(cube, "ascii", "double", "uchar int"), "property double z\n",
+      "property double z\nproperty float nx\nproperty float ny\nproperty float nz\n") +
+      PointLines(cube, "", normal) + FaceLines(cube, "", 0));
+  const ProgramResult outcome =
+    Render({ folder / "normals.off", folder / "plain.off", folder / "reference.ply" },
+      folder / "{name}.png");
+  ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+  EXPECT_EQ(Compare(folder / "normals.png", folder / "reference.png"), 0.0);
+  EXPECT_GT(Compare(folder / "normals.png", folder / "plain.png"), 0.1);
 }
 
 TEST(Ply, VariantsGiveTheSameImage)

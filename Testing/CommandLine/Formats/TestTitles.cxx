@@ -33,12 +33,13 @@ ProgramResult RenderTitle(const Folder& folder, const std::string& name, const s
     setting);
 }
 
-// A font without the characters draws the same box for both.
+// A font without the characters draws the same box for both. The last ones are not of 16 bits.
 TEST(Titles, AreDrawnOrAWarningNamesTheFont)
 {
   const Folder folder("titles");
-  for (const auto& [a, b] : { std::pair("\xcf\x83\xcf\x83", "\xcf\x84\xcf\x84"),
-         std::pair("\xe6\xb8\xa9", "\xe5\xba\xa6") })
+  for (const auto& [a, b] :
+    { std::pair("\xcf\x83\xcf\x83", "\xcf\x84\xcf\x84"), std::pair("\xe6\xb8\xa9", "\xe5\xba\xa6"),
+      std::pair("\xf0\x9f\x98\x80", "\xf0\x9f\x98\x85") })
   {
     const ProgramResult first = RenderTitle(folder, a, "a.png");
     const ProgramResult second = RenderTitle(folder, b, "b.png");
