@@ -49,6 +49,10 @@ constexpr double FacesOfACubeMap = 3.0;
 /// Initial number of paths where vtkPenumbraBruteForceIrradiance would start with one ray.
 constexpr int PathsPerRay = 8;
 
+/// The tolerance of path tracing in the room for one path: near the noise of its paths, so that light sampled apart
+/// from them has an error as small as theirs.
+constexpr double NoiseOfOnePath = .08;
+
 struct Subject
 {
   Scene Drawn;
@@ -333,7 +337,8 @@ void AddRoom(ChartFamily& family, const std::string& scene, const Rooms& room)
                               vtkNew<vtkPenumbraBruteForceIrradiance> source;
                               source->SetMinimumRays(paths / PathsPerRay);
                               source->SetMaximumRays(paths);
-                              return AskForLight(room(), source, 1.0, false);
+                              return AskForLight(
+                                room(), source, NoiseOfOnePath / std::sqrt(paths), false);
                             } });
   }
 }

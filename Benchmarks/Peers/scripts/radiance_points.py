@@ -14,6 +14,20 @@ import rtrace
 BEHIND = 1e-4
 
 
+def join_halves(lights):
+    """Joins triangles a b c and a c d of one material to parallelograms: Radiance samples a triangle as a parallelogram
+    of its area, with an error of a third of the light in places."""
+    joined = []
+    for name, corners in lights:
+        last, half = joined[-1] if joined else (None, None)
+        if name == last and len(half) == 3 and (half[[0, 2]] == corners[:2]).all() and numpy.allclose(
+                half[0] + half[2], half[1] + corners[2]):
+            joined[-1] = name, numpy.vstack([half, corners[2:]])
+        else:
+            joined.append((name, corners))
+    return joined
+
+
 def describe(scene):
     """Returns the scene in Radiance's format."""
     lines = [f"void glow sky 0 0 4 {scene.sky} {scene.sky} {scene.sky} 0", "sky source all 0 0 4 0 0 1 360"]
@@ -29,17 +43,21 @@ def describe(scene):
                 else "5 " + " ".join(map(str, reflectance)) + " 0 0"))
         return names[key]
 
-    def triangle(name, corners):
-        lines.append(f"{name} polygon t{len(lines)} 0 0 9 " + " ".join(f"{x:.9g}" for x in corners))
+    def polygon(name, corners):
+        lines.append(f"{name} polygon t{len(lines)} 0 0 {corners.size} " +
+                     " ".join(f"{x:.9g}" for x in corners.ravel()))
 
-    for corners, reflectance, emission in zip(scene.corners, scene.reflectance, scene.emission):
+    lights = []
+    for corners, reflectance, emission in zip(scene.corners.reshape(-1, 3, 3), scene.reflectance, scene.emission):
         name = material(reflectance, emission)
-        triangle(name, corners)
         if max(emission) > 0:
-            a, b, c = corners.reshape(3, 3)
-            across = numpy.cross(b - a, c - a)
-            back = numpy.array([a, c, b]) - BEHIND * across / numpy.linalg.norm(across)
-            triangle(name, back.ravel())
+            lights.append((name, corners))
+        else:
+            polygon(name, corners)
+    for name, corners in join_halves(lights):
+        across = numpy.cross(corners[1] - corners[0], corners[2] - corners[0])
+        polygon(name, corners)
+        polygon(name, corners[::-1] - BEHIND * across / numpy.linalg.norm(across))
     return "\n".join(lines) + "\n"
 
 
