@@ -289,8 +289,7 @@ void RegionRenderer::Complete(ImageRegion& region) const
   {
     return;
   }
-  for (int y = region.Low.y; y < region.High.y; ++y)
-  {
+  ParallelFor(region.Low.y, region.High.y, 0, [&](int y) {
     for (int x = region.Low.x; x < region.High.x; ++x)
     {
       const std::size_t index = region.Index(x, y);
@@ -315,7 +314,7 @@ void RegionRenderer::Complete(ImageRegion& region) const
           : this->Coarse->At(x, y).Occlusion;
       }
     }
-  }
+  });
 }
 
 }

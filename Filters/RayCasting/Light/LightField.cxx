@@ -14,16 +14,12 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <utility>
 
 namespace penumbra
 {
 namespace
 {
-
-glm::ivec2 RoundDown(glm::ivec2 p)
-{
-  return glm::ivec2(glm::floor(glm::dvec2(p) / double(LightTileSide))) * LightTileSide;
-}
 
 /// Returns the grid of the sites that the pixels [low, high) depend on: every round extends them.
 template <int N>
@@ -31,9 +27,7 @@ SiteGrid<N> MakeGrid(const Camera& camera, glm::ivec2 low, glm::ivec2 high)
 {
   const int margin = (LightRounds + 1) * GetJoiningReach() + LightRounds * LightTileSide;
   SiteGrid<N> grid;
-  grid.Low = glm::max(RoundDown(low - margin), glm::ivec2(0));
-  grid.High = glm::min(RoundDown(high + margin) + LightTileSide,
-    RoundDown({ camera.Width, camera.Height }) + LightTileSide);
+  grid.Cover(low - margin, high + margin, { camera.Width, camera.Height });
   return grid;
 }
 
@@ -71,7 +65,8 @@ public:
     const bool finished = this->ForTiles(
       limit, from, to, progress, counts, this->Count, [&](int tile, SiteSampler<N>& sampler) {
         std::vector<LightSite<N>>& sites = this->FoundSites[tile];
-        this->Scattered[tile] = this->IsScattered(this->GetFirst(tile), sampler.Counts) ? 1 : 0;
+        this->Scattered[tile] =
+          IsScattered(this->Tracer, this->GetFirst(tile), sampler.Counts) ? 1 : 0;
         if (this->Scattered[tile])
         {
           return;
@@ -112,20 +107,23 @@ public:
     return this->Scattered[static_cast<std::size_t>(tile.y) * this->Tiles.x + tile.x] != 0;
   }
 
-  /// Increases the targets of pixels in the tiles whose estimated error exceeds `tolerance`. Returns
-  /// true if there are such tiles. Does nothing until AddSamples() has traced them all.
-  bool Increase(double tolerance)
+  /// Increases the targets of pixels in those of the `changed` tiles whose estimated error exceeds `tolerance`, and
+  /// clears these flags. Returns true if there are such tiles. Does nothing until AddSamples() has traced them all.
+  bool Increase(double tolerance, std::vector<char>& changed)
   {
     if (!this->Increased.empty())
     {
       return true;
     }
     const auto limit = static_cast<float>(Square<float>(tolerance));
+    ParallelFor(0, this->Count, 4, [&](int tile) {
+      changed[tile] = changed[tile] != 0 && this->IncreaseTile(this->GetFirst(tile), limit) ? 1 : 0;
+    });
     for (int tile = 0; tile < this->Count; ++tile)
     {
-      if (this->IncreaseTile(this->GetFirst(static_cast<int>(tile)), limit))
+      if (std::exchange(changed[tile], 0) != 0)
       {
-        this->Increased.push_back(static_cast<int>(tile));
+        this->Increased.push_back(tile);
       }
     }
     this->Done.assign(this->Increased.size(), 0);
@@ -133,9 +131,9 @@ public:
   }
 
   /// Traces the samples that Increase() has added. Returns false if the limit ended this; the next call
-  /// continues.
-  bool AddSamples(
-    WorkLimit* limit, double from, double to, const ProgressCallback& progress, RayCounts& counts)
+  /// continues. Adds the tiles that have new samples to `sampled`.
+  bool AddSamples(WorkLimit* limit, double from, double to, const ProgressCallback& progress,
+    RayCounts& counts, std::vector<int>& sampled)
   {
     const int count = static_cast<int>(this->Increased.size());
     const bool finished =
@@ -152,6 +150,14 @@ public:
           }
         });
       });
+    for (int i = 0; i < count; ++i)
+    {
+      if (this->Done[i] == 1)
+      {
+        sampled.push_back(this->Increased[i]);
+        this->Done[i] = 2;
+      }
+    }
     if (finished)
     {
       this->Increased.clear();
@@ -160,15 +166,6 @@ public:
   }
 
 private:
-  bool IsScattered(glm::ivec2 first, RayCounts& counts) const
-  {
-    const Camera& camera = this->Tracer.GetCamera();
-    return !this->Tracer.HasTranslucentSurfaces() && !this->Tracer.HasShafts() &&
-      !this->Tracer.GetShading().HasPenumbrae() &&
-      penumbra::IsScattered(this->Tracer, first,
-        glm::min(first + LightTileSide, glm::ivec2(camera.Width, camera.Height)), counts);
-  }
-
   /// Moves the sites of all tiles to the grid.
   void JoinTiles()
   {
@@ -266,8 +263,9 @@ private:
   const LightRays<N>& Rays;
   glm::ivec2 Tiles;
   int Count;
-  std::vector<int> Increased;                        ///< tiles that get more samples in this round
-  std::vector<char> Done;                            ///< flags of the tiles of this round
+  std::vector<int> Increased; ///< tiles that get more samples in this round
+  /// States of the tiles of this round: 1: has all samples; 2: AddSamples() has reported it.
+  std::vector<char> Done;
   std::vector<char> Scattered;                       ///< flags of all tiles
   std::vector<std::vector<LightSite<N>>> FoundSites; ///< per tile, until all are known
 };
@@ -308,7 +306,9 @@ private:
   double Tolerance;
   float UniformLight;
   LitSamples<N> Samples;
-  bool UsesColors; ///< the color of a pixel tells which parts of it the sites cover
+  std::unique_ptr<SiteJoining<N>> Joining; ///< until all rounds are over
+  std::vector<char> Changed; ///< flags of tiles whose estimates have changed since their last check
+  bool UsesColors;           ///< the color of a pixel tells which parts of it the sites cover
   bool HasShadows;
   int Round = 0; ///< next one; 0: the sites are not known
 };
@@ -338,7 +338,9 @@ bool JoinedLight<N>::FindSites(
     {
       return false;
     }
-    JoinSites(this->Grid);
+    this->Joining = std::make_unique<SiteJoining<N>>(this->Grid);
+    this->Joining->Start();
+    this->Changed.assign(this->Grid.Tiles.size(), 1);
     this->Round = 1;
   }
   return true;
@@ -349,14 +351,15 @@ bool JoinedLight<N>::AddRounds(
   WorkLimit* limit, double from, double to, const ProgressCallback& progress, RayCounts& counts)
 {
   const double step = (to - from) / LightRounds;
-  while (this->Round <= LightRounds && this->Tiles.Increase(this->Tolerance))
+  while (this->Round <= LightRounds && this->Tiles.Increase(this->Tolerance, this->Changed))
   {
-    const long long before = counts.Auxiliary;
-    const bool finished = this->Tiles.AddSamples(
-      limit, from + (this->Round - 1) * step, from + this->Round * step, progress, counts);
-    if (counts.Auxiliary != before)
+    std::vector<int> sampled;
+    const double begin = from + (this->Round - 1) * step;
+    const bool finished =
+      this->Tiles.AddSamples(limit, begin, begin + step, progress, counts, sampled);
+    for (const int tile : this->Joining->Update(sampled))
     {
-      JoinSites(this->Grid);
+      this->Changed[tile] = 1;
     }
     if (!finished)
     {
@@ -365,14 +368,14 @@ bool JoinedLight<N>::AddRounds(
     ++this->Round;
   }
   this->Round = LightRounds + 1;
+  this->Joining.reset();
   return true;
 }
 
 template <int N>
 typename JoinedLight<N>::Value JoinedLight<N>::Evaluate(const LightSite<N>& site) const
 {
-  Value value = EvaluateSite(this->Grid, site);
-  value = glm::max(value, Value(0.f));
+  Value value = glm::max(EvaluateSite(this->Grid, site), Value(0.f));
   if constexpr (Terms::HasOcclusion)
   {
     value[0] = std::min(value[0], 1.f);

@@ -8,6 +8,7 @@
 #include "LightPatch.h"
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -18,13 +19,31 @@ namespace penumbra
 constexpr std::uint32_t NoPatch = 0xffffffffu;
 constexpr int WindowBlocks = 9; ///< blocks of a window, row by row; the central one is the fifth
 
-/// The patches of one level, with their windows and models.
+/// Resizes a vector that seldom grows, and then by few elements.
+template <typename Element>
+void GrowTo(std::vector<Element>& elements, std::size_t size)
+{
+  if (size > elements.capacity())
+  {
+    elements.reserve(size + size / 16);
+  }
+  elements.resize(size);
+}
+
+/// The patches of one level, with their windows and models. Those of a tile are consecutive. Between them there may be
+/// unused ones, where tiles had more patches.
 template <int N>
 struct LightLevel
 {
   int Side = 1; ///< of a block, in cells
   glm::ivec2 Blocks{ 0 };
-  std::vector<std::uint32_t> Begin; ///< first patch of each block, and their number
+  struct Range
+  {
+    std::uint32_t Begin = 0;
+    std::uint32_t End = 0;
+  };
+  std::vector<Range> Ranges; ///< patches of each block
+  std::vector<Range> Tiles;  ///< where each tile has room for patches
   std::vector<LightPatch<N>> Patches;
   std::vector<std::uint32_t> Parents; ///< patch of the next level
   struct Window
@@ -35,6 +54,37 @@ struct LightLevel
   std::vector<LightModel<N>> Models;
 
   int GetNumberOfBlocks() const { return this->Blocks.x * this->Blocks.y; }
+
+  /// Makes room for count(i) patches of each of `tiles`, at the end if there are too many for the present one.
+  template <typename GetCount>
+  void MakeRoom(const std::vector<int>& tiles, const GetCount& count)
+  {
+    auto size = static_cast<std::uint32_t>(this->Patches.size());
+    for (std::size_t i = 0; i < tiles.size(); ++i)
+    {
+      Range& room = this->Tiles[tiles[i]];
+      const auto patches = static_cast<std::uint32_t>(count(i));
+      if (patches > room.End - room.Begin)
+      {
+        room = { size, size + patches };
+        size += patches;
+      }
+    }
+    GrowTo(this->Patches, size);
+    GrowTo(this->Parents, size);
+    GrowTo(this->Windows, size);
+    GrowTo(this->Models, size);
+  }
+
+  /// Calls visit(patch) for the patches of a block.
+  template <typename Visit>
+  void VisitPatches(int block, const Visit& visit) const
+  {
+    for (std::uint32_t p = this->Ranges[block].Begin; p < this->Ranges[block].End; ++p)
+    {
+      visit(p);
+    }
+  }
 };
 
 /// Weights of the patches of a window for a patch of the first level in its

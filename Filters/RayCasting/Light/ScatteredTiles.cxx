@@ -151,8 +151,14 @@ private:
 
 }
 
-bool IsScattered(const CameraRayTracer& tracer, glm::ivec2 low, glm::ivec2 high, RayCounts& counts)
+bool IsScattered(const CameraRayTracer& tracer, glm::ivec2 low, RayCounts& counts)
 {
+  const Camera& camera = tracer.GetCamera();
+  const glm::ivec2 high = glm::min(low + LightTileSide, glm::ivec2(camera.Width, camera.Height));
+  if (tracer.HasTranslucentSurfaces() || tracer.HasShafts() || tracer.GetShading().HasPenumbrae())
+  {
+    return false;
+  }
   ProbedPairs pairs(tracer, counts);
   pairs.Trace(low, high, ProbedPixelStep);
   if (pairs.Surfaces == 0 || (pairs.Surfaces >= FewestPairs && !pairs.IsNear(ScatteredFraction)))

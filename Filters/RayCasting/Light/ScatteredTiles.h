@@ -14,9 +14,10 @@
 namespace penumbra
 {
 
-/// Returns true if the tile [low, high) of the image is scattered: most camera rays that hit a surface do not
-/// hit the same site as one two pixels beside them. Traces camera rays in a few of its pixels.
-bool IsScattered(const CameraRayTracer& tracer, glm::ivec2 low, glm::ivec2 high, RayCounts& counts);
+/// Returns true if the tile with the first pixel `low` is scattered: most camera rays that hit a surface do not
+/// hit the same site as one two pixels beside them. Traces camera rays in a few of its pixels. Returns false with
+/// translucent surfaces, shafts or penumbrae.
+bool IsScattered(const CameraRayTracer& tracer, glm::ivec2 low, RayCounts& counts);
 
 /// Samples of pixels of such tiles.
 template <int N>

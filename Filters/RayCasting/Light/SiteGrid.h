@@ -43,6 +43,16 @@ struct SiteGrid
   /// Squared range of the value of a ray.
   typename LightTerms<N>::Value SquaredRange{ 1.f };
 
+  /// Covers the pixels [low, high) of an image.
+  void Cover(glm::ivec2 low, glm::ivec2 high, glm::ivec2 image)
+  {
+    const auto roundDown = [](glm::ivec2 p) {
+      return glm::ivec2(glm::floor(glm::dvec2(p) / double(LightTileSide))) * LightTileSide;
+    };
+    this->Low = glm::max(roundDown(low), glm::ivec2(0));
+    this->High = glm::min(roundDown(high), roundDown(image)) + LightTileSide;
+  }
+
   glm::ivec2 GetSize() const { return this->High - this->Low; }
   /// Returns the index of the tile that contains a pixel.
   std::size_t GetTile(int x, int y) const

@@ -2,26 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SiteJoining.h"
 
+#include "ChangedBlocks.h"
 #include "Execution/ParallelFor.h"
 #include "LightBias.h"
 #include "LightConstants.h"
 #include "LightLevel.h"
+#include "TilePatches.h"
 #include "Vectors.h"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace penumbra
 {
-namespace
-{
-
-/// Number of consecutive blocks whose patches are made together.
-constexpr int BlocksOfRun = 32;
-
+/// Patches, models and estimates of all levels.
 template <int N>
-class SiteJoining
+class SiteJoining<N>::Levels
 {
   using Value = typename LightTerms<N>::Value;
   using Patch = LightPatch<N>;
@@ -30,30 +28,45 @@ class SiteJoining
   using Changes = LevelChanges<N>;
 
 public:
-  explicit SiteJoining(SiteGrid<N>& grid)
+  explicit Levels(SiteGrid<N>& grid)
     : Grid(grid)
   {
-  }
-
-  void Run()
-  {
+    const int tiles = this->GetNumberOfTiles();
     for (int i = 0; i < LightLevels; ++i)
     {
-      Level& level = this->Levels[i];
+      Level& level = this->All[i];
       level.Side = 2 << i;
-      level.Blocks = this->Grid.GetSize() / level.Side;
-      i == 0 ? this->MakeFirstPatches() : this->MakePatches(this->Levels[i - 1], level);
-      this->MatchNeighbors(level);
+      level.Blocks = grid.GetSize() / level.Side;
+      level.Ranges.resize(level.GetNumberOfBlocks());
+      level.Tiles.resize(tiles);
     }
-    const auto count = static_cast<std::uint32_t>(this->Levels[0].Patches.size());
-    this->FindCells();
-    this->Estimates.resize(count);
-    ParallelFor<std::uint32_t>(0, count, 256, [&](std::uint32_t p) { this->Evaluate(p); });
-    ParallelFor(
-      0, this->Levels[0].GetNumberOfBlocks(), 64, [&](int block) { this->CompareSites(block); });
-    this->PoolBias();
-    this->Grid.Patches.assign(count, SitePatch<N>());
-    ParallelFor<std::uint32_t>(0, count, 256, [&](std::uint32_t p) { this->Combine(p); });
+    this->Sums.resize(this->GetBiasLevel().GetNumberOfBlocks());
+    this->RowSums.resize(this->Sums.size());
+  }
+
+  int GetNumberOfTiles() const
+  {
+    const glm::ivec2 tiles = this->Grid.GetSize() / LightTileSide;
+    return tiles.x * tiles.y;
+  }
+
+  std::vector<int> Update(const std::vector<int>& tiles)
+  {
+    ChangedBlocks changed(this->Grid.GetSize() / LightTileSide, tiles);
+    this->MakePatches(tiles);
+    for (Level& level : this->All)
+    {
+      ForAll(changed.Models[&level - this->All], [&](int block) { this->FitModels(level, block); });
+    }
+    ForAll(changed.Evaluated, [&](const ChangedBlocks::Estimates& estimates) {
+      this->Evaluate(estimates.Block, estimates.Levels);
+      this->SumChanges(estimates.Block);
+    });
+    this->PoolBias(changed.Biased);
+    ForAll(changed.Combined, [&](int block) {
+      this->VisitCells(block, [&](std::uint32_t p, glm::ivec2 cell) { this->Combine(p, cell); });
+    });
+    return std::move(changed.Tiles);
   }
 
 private:
@@ -69,141 +82,111 @@ private:
       0.f
     }; ///< weighted sum of the products of the changes from the sites to the first level
   };
-  template <typename Visit>
-  void VisitPatches(Level& level, const Visit& makePatches)
+
+  template <typename Items, typename Work>
+  static void ForAll(const Items& items, const Work& work)
   {
-    const int count = level.GetNumberOfBlocks();
-    std::vector<std::vector<Patch>> runs((count + BlocksOfRun - 1) / BlocksOfRun);
-    level.Begin.assign(static_cast<std::size_t>(count) + 1, 0);
-    ParallelFor(0, static_cast<int>(runs.size()), 1, [&](int run) {
-      std::vector<Patch> patches;
-      const int first = run * BlocksOfRun;
-      for (int block = first; block < std::min(first + BlocksOfRun, count); ++block)
-      {
-        patches.clear();
-        makePatches(block, patches);
-        level.Begin[block + 1] = static_cast<std::uint32_t>(patches.size());
-        runs[run].insert(runs[run].end(), patches.begin(), patches.end());
-      }
+    ParallelFor(0, static_cast<int>(items.size()), 32, [&](int i) { work(items[i]); });
+  }
+
+  const Level& GetBiasLevel() const { return this->All[BiasLevel - 1]; }
+
+  /// Calls visit(index, corner) for the blocks of the first level in a block of BiasLevel, row by row. `corner`: first
+  /// cell of the block.
+  template <typename Visit>
+  void VisitBlocks(int block, const Visit& visit) const
+  {
+    const Level& level = this->All[0];
+    const int ratio = this->GetBiasLevel().Side / level.Side;
+    const int columns = this->GetBiasLevel().Blocks.x;
+    for (int i = 0; i < ratio * ratio; ++i)
+    {
+      const glm::ivec2 at =
+        ratio * glm::ivec2(block % columns, block / columns) + glm::ivec2(i % ratio, i / ratio);
+      visit(at.y * level.Blocks.x + at.x, level.Side * at);
+    }
+  }
+
+  /// Calls visit(patch, corner) for the patches of these blocks.
+  template <typename Visit>
+  void VisitCells(int block, const Visit& visit) const
+  {
+    this->VisitBlocks(block, [&](int first, glm::ivec2 corner) {
+      this->All[0].VisitPatches(first, [&](std::uint32_t p) { visit(p, corner); });
     });
-    std::partial_sum(level.Begin.begin(), level.Begin.end(), level.Begin.begin());
-    level.Patches.reserve(level.Begin.back());
-    for (const std::vector<Patch>& patches : runs)
-    {
-      level.Patches.insert(level.Patches.end(), patches.begin(), patches.end());
-    }
   }
 
-  /// Adds `part` to the patch in `patches` that it matches, or as a new one.
-  /// Returns its index.
-  static std::uint32_t AddPart(std::vector<Patch>& patches, const Patch& part)
+  void MakePatches(const std::vector<int>& tiles)
   {
-    for (std::uint32_t i = 0; i < patches.size(); ++i)
+    std::vector<TilePatches<N>> made(tiles.size());
+    ParallelFor(
+      0, static_cast<int>(tiles.size()), 1, [&](int i) { made[i].Make(this->Grid, tiles[i]); });
+    for (int l = 0; l < LightLevels; ++l)
     {
-      if (patches[i].Matches(part))
+      this->All[l].MakeRoom(tiles, [&](std::size_t i) { return made[i].Levels[l].Patches.size(); });
+    }
+    GrowTo(this->Estimates, this->All[0].Patches.size());
+    GrowTo(this->Grid.Patches, this->All[0].Patches.size());
+    GrowTo(this->Own, this->GetBiasLevel().Patches.size());
+    GrowTo(this->Bias, this->Own.size());
+    ParallelFor(0, static_cast<int>(tiles.size()), 1, [&](int i) {
+      this->StorePatches(tiles[i], made[i]);
+      made[i] = TilePatches<N>();
+    });
+  }
+
+  void StorePatches(int tile, const TilePatches<N>& made)
+  {
+    if (made.Levels[0].Begin.empty())
+    {
+      return;
+    }
+    for (int l = 0; l < LightLevels; ++l)
+    {
+      Level& level = this->All[l];
+      const typename TilePatches<N>::Level& source = made.Levels[l];
+      const std::uint32_t begin = level.Tiles[tile].Begin;
+      std::copy(source.Patches.begin(), source.Patches.end(), level.Patches.begin() + begin);
+      for (std::size_t i = 0; i < source.Parents.size(); ++i)
       {
-        patches[i].Add(part, 1.f);
-        return i;
+        level.Parents[begin + i] = this->All[l + 1].Tiles[tile].Begin + source.Parents[i];
+      }
+      const int ratio = LightTileSide / level.Side;
+      const int columns = level.Blocks.x / ratio;
+      const glm::ivec2 first = ratio * glm::ivec2(tile % columns, tile / columns);
+      for (int i = 0; i < ratio * ratio; ++i)
+      {
+        level.Ranges[(first.y + i / ratio) * level.Blocks.x + first.x + i % ratio] = {
+          begin + source.Begin[i], begin + source.Begin[i + 1]
+        };
       }
     }
-    patches.push_back(part);
-    return static_cast<std::uint32_t>(patches.size() - 1);
-  }
-
-  const LightPixel& GetPixel(glm::ivec2 p) const { return this->Grid.ReadPixel(p.x, p.y); }
-
-  /// Calls visit(site, pixel) for the sites of a block of a level.
-  template <typename Visit>
-  void VisitSites(const Level& level, int block, const Visit& visit)
-  {
-    const glm::ivec2 first =
-      this->Grid.Low + level.Side * glm::ivec2(block % level.Blocks.x, block / level.Blocks.x);
-    for (int i = 0; i < level.Side * level.Side; ++i)
+    for (const LightPixel& pixel : this->Grid.Tiles[tile])
     {
-      const LightPixel& pixel = this->GetPixel(first + glm::ivec2(i % level.Side, i / level.Side));
       for (std::uint32_t k = pixel.Begin; k < pixel.Begin + pixel.Sites; ++k)
       {
-        visit(this->Grid.Sites[k], pixel);
+        this->Grid.Sites[k].Patch += this->All[0].Tiles[tile].Begin;
       }
     }
   }
 
-  void MakeFirstPatches()
+  void FitModels(Level& level, int block)
   {
-    Level& level = this->Levels[0];
-    this->VisitPatches(level, [&](int block, std::vector<Patch>& patches) {
-      this->VisitSites(level, block, [&](LightSite<N>& site, const LightPixel& pixel) {
-        Patch part;
-        part.Add(site, pixel.GetPart(site));
-        site.Patch = AddPart(patches, part);
-      });
-    });
-    for (int block = 0; block < level.GetNumberOfBlocks(); ++block)
-    {
-      this->VisitSites(level, block,
-        [&](LightSite<N>& site, const LightPixel&) { site.Patch += level.Begin[block]; });
-    }
-  }
-
-  void FindCells()
-  {
-    const Level& level = this->Levels[0];
-    this->Cells.resize(level.Patches.size());
-    for (int block = 0; block < level.GetNumberOfBlocks(); ++block)
-    {
-      const glm::ivec2 first(block % level.Blocks.x, block / level.Blocks.x);
-      std::fill(this->Cells.begin() + level.Begin[block],
-        this->Cells.begin() + level.Begin[block + 1],
-        glm::u8vec2(level.Side * first % LightTileSide));
-    }
-  }
-
-  void MakePatches(Level& finer, Level& level)
-  {
-    finer.Parents.resize(finer.Patches.size());
-    const auto visitChildren = [&](int block, const auto& visit) {
-      const glm::ivec2 at(block % level.Blocks.x, block / level.Blocks.x);
-      for (int i = 0; i < 4; ++i)
+    const glm::ivec2 at(block % level.Blocks.x, block / level.Blocks.x);
+    level.VisitPatches(block, [&](std::uint32_t p) {
+      const Patch& patch = level.Patches[p];
+      Patch sum = patch;
+      for (int i = 0; i < WindowBlocks; ++i)
       {
-        const int child = (2 * at.y + (i >> 1)) * finer.Blocks.x + 2 * at.x + (i & 1);
-        for (std::uint32_t k = finer.Begin[child]; k < finer.Begin[child + 1]; ++k)
+        const glm::ivec2 step(i % 3 - 1, i / 3 - 1);
+        std::uint32_t& match = level.Windows[p].Patches[i];
+        match = i == 4 ? p : FindMatch(level, at + step, patch);
+        if (i != 4 && match != NoPatch)
         {
-          visit(k);
+          sum.Add(level.Patches[match], (step.x == 0 ? 1.f : 0.5f) * (step.y == 0 ? 1.f : 0.5f));
         }
       }
-    };
-    this->VisitPatches(level, [&](int block, std::vector<Patch>& patches) {
-      visitChildren(
-        block, [&](std::uint32_t k) { finer.Parents[k] = AddPart(patches, finer.Patches[k]); });
-    });
-    for (int block = 0; block < level.GetNumberOfBlocks(); ++block)
-    {
-      visitChildren(block, [&](std::uint32_t k) { finer.Parents[k] += level.Begin[block]; });
-    }
-  }
-
-  void MatchNeighbors(Level& level)
-  {
-    level.Windows.resize(level.Patches.size());
-    level.Models.resize(level.Patches.size());
-    ParallelFor(0, level.GetNumberOfBlocks(), 16, [&](int block) {
-      const glm::ivec2 at(block % level.Blocks.x, block / level.Blocks.x);
-      for (std::uint32_t p = level.Begin[block]; p < level.Begin[block + 1]; ++p)
-      {
-        const Patch& patch = level.Patches[p];
-        Patch sum = patch;
-        for (int i = 0; i < WindowBlocks; ++i)
-        {
-          const glm::ivec2 step(i % 3 - 1, i / 3 - 1);
-          std::uint32_t& match = level.Windows[p].Patches[i];
-          match = i == 4 ? p : FindMatch(level, at + step, patch);
-          if (i != 4 && match != NoPatch)
-          {
-            sum.Add(level.Patches[match], (step.x == 0 ? 1.f : 0.5f) * (step.y == 0 ? 1.f : 0.5f));
-          }
-        }
-        level.Models[p].Fit(sum, level.Side, this->Grid.SquaredRange);
-      }
+      level.Models[p].Fit(sum, level.Side, this->Grid.SquaredRange);
     });
   }
 
@@ -213,64 +196,81 @@ private:
     float largest = 0.f;
     if (block.x >= 0 && block.y >= 0 && block.x < level.Blocks.x && block.y < level.Blocks.y)
     {
-      const int index = block.y * level.Blocks.x + block.x;
-      for (std::uint32_t i = level.Begin[index]; i < level.Begin[index + 1]; ++i)
-      {
+      level.VisitPatches(block.y * level.Blocks.x + block.x, [&](std::uint32_t i) {
         const Patch& other = level.Patches[i];
         if (patch.Matches(other) && other.Weight > largest)
         {
           largest = other.Weight;
           best = i;
         }
-      }
+      });
     }
     return best;
   }
 
-  /// Evaluates the models of all levels at the means of the patches of the first level.
-  void Evaluate(std::uint32_t p)
+  /// Evaluates the models of `levels` (bits) in a block of BiasLevel.
+  void Evaluate(int block, unsigned int levels)
   {
-    const Patch& patch = this->Levels[0].Patches[p];
-    PatchEstimates& estimates = this->Estimates[p];
-    std::uint32_t parent = p;
-    for (int l = 0; l < LightLevels; ++l)
+    this->VisitCells(block, [&](std::uint32_t p, glm::ivec2 cell) {
+      std::uint32_t parent = p;
+      for (int l = 0; l < LightLevels; ++l)
+      {
+        if ((levels >> l & 1u) != 0)
+        {
+          this->Evaluate(l, p, parent, cell);
+        }
+        parent = l + 1 < LightLevels ? this->All[l].Parents[parent] : parent;
+      }
+    });
+    if ((levels & 1u) != 0)
     {
-      const Level& level = this->Levels[l];
-      const ModelBlend blend(level, parent, this->Cells[p]);
-      Value* const values = estimates.Values[l];
-      std::fill(values, values + Halves, Value(0.f));
-      Value variance(0.f);
-      for (int k = 0; k < blend.Count; ++k)
-      {
-        const Model& model = level.Models[blend.Patches[k]];
-        model.Evaluate(patch.Mean, blend.Weights[k], values);
-        variance += blend.Weights[k] * model.Variance;
-      }
-      estimates.Variances[l + 1] = variance;
-      if (l == BiasLevel - 1)
-      {
-        const Patch& pool = level.Patches[parent];
-        estimates.Variances[0] = AloneVarianceGain * pool.GetVariance(this->Grid.SquaredRange) *
-          patch.Parts / patch.Weight;
-      }
-      parent = l + 1 < LightLevels ? level.Parents[parent] : parent;
+      this->VisitBlocks(
+        block, [&](int first, glm::ivec2 corner) { this->CompareSites(first, corner); });
+    }
+  }
+
+  /// Evaluates the models of a level at the mean of patch `p` of the first level. `parent`: its patch of this level.
+  void Evaluate(int l, std::uint32_t p, std::uint32_t parent, glm::ivec2 cell)
+  {
+    const Level& level = this->All[l];
+    const Patch& patch = this->All[0].Patches[p];
+    PatchEstimates& estimates = this->Estimates[p];
+    const ModelBlend blend(level, parent, cell);
+    Value* const values = estimates.Values[l];
+    std::fill(values, values + Halves, Value(0.f));
+    Value variance(0.f);
+    for (int k = 0; k < blend.Count; ++k)
+    {
+      const Model& model = level.Models[blend.Patches[k]];
+      model.Evaluate(patch.Mean, blend.Weights[k], values);
+      variance += blend.Weights[k] * model.Variance;
+    }
+    estimates.Variances[l + 1] = variance;
+    if (l == BiasLevel - 1)
+    {
+      const Patch& pool = level.Patches[parent];
+      estimates.Variances[0] =
+        AloneVarianceGain * pool.GetVariance(this->Grid.SquaredRange) * patch.Parts / patch.Weight;
     }
   }
 
   /// Compares the sites of a block of the first level with its models. A site has an effect on its pixel, and
   /// a number of rays, in proportion to the part that it covers.
-  void CompareSites(int block)
+  void CompareSites(int block, glm::ivec2 corner)
   {
-    const Level& level = this->Levels[0];
-    const glm::ivec2 first =
-      this->Grid.Low + level.Side * glm::ivec2(block % level.Blocks.x, block / level.Blocks.x);
+    const Level& level = this->All[0];
+    level.VisitPatches(block, [&](std::uint32_t p) {
+      this->Estimates[p].SiteWeight = 0.f;
+      this->Estimates[p].SiteChanges = Value(0.f);
+    });
     for (int i = 0; i < level.Side * level.Side; ++i)
     {
-      const LightPixel& pixel = this->GetPixel(first + glm::ivec2(i % level.Side, i / level.Side));
+      const glm::ivec2 at = this->Grid.Low + corner + glm::ivec2(i % level.Side, i / level.Side);
+      const LightPixel& pixel = this->Grid.ReadPixel(at.x, at.y);
       for (std::uint32_t k = pixel.Begin; k < pixel.Begin + pixel.Sites; ++k)
       {
         const LightSite<N>& site = this->Grid.Sites[k];
-        const ModelBlend blend(level, site.Patch, this->Cells[site.Patch]);
+        const ModelBlend blend(level, site.Patch, corner);
         Value values[Halves] = {};
         for (int n = 0; n < blend.Count; ++n)
         {
@@ -291,97 +291,92 @@ private:
   {
     for (int l = 0; l + 1 < BiasLevel; ++l)
     {
-      p = this->Levels[l].Parents[p];
+      p = this->All[l].Parents[p];
     }
     return p;
   }
 
-  void PoolBias()
+  /// Sums the changes in a block of BiasLevel, of each patch and of all.
+  void SumChanges(int block)
   {
-    const Level& level = this->Levels[BiasLevel - 1];
-    std::vector<Changes> own(level.Patches.size());
-    for (std::uint32_t p = 0; p < this->Estimates.size(); ++p)
+    const Level& level = this->GetBiasLevel();
+    level.VisitPatches(block, [&](std::uint32_t p) { this->Own[p] = Changes(); });
+    this->VisitCells(block,
+      [&](std::uint32_t p, glm::ivec2) { this->AddChanges(p, this->Own[this->FindBiasPatch(p)]); });
+    this->Sums[block] = Changes();
+    level.VisitPatches(block, [&](std::uint32_t p) { this->Sums[block].Add(this->Own[p], 1.f); });
+  }
+
+  void AddChanges(std::uint32_t p, Changes& changes) const
+  {
+    const PatchEstimates& estimates = this->Estimates[p];
+    const float parts = this->All[0].Patches[p].Parts;
+    changes.Weights[0] += estimates.SiteWeight;
+    changes.Sums[0] += estimates.SiteChanges;
+    changes.Variances[0] += estimates.SiteWeight * estimates.Variances[0];
+    for (int l = 1; l < LightLevels; ++l)
     {
-      Changes& changes = own[this->FindBiasPatch(p)];
-      const PatchEstimates& estimates = this->Estimates[p];
-      const float parts = this->Levels[0].Patches[p].Parts;
-      changes.Weights[0] += estimates.SiteWeight;
-      changes.Sums[0] += estimates.SiteChanges;
-      changes.Variances[0] += estimates.SiteWeight * estimates.Variances[0];
-      for (int l = 1; l < LightLevels; ++l)
-      {
-        changes.Weights[l] += parts;
-        changes.Sums[l] += parts * (estimates.Values[l][0] - estimates.Values[l - 1][0]) *
-          (estimates.Values[l][1] - estimates.Values[l - 1][1]);
-        changes.Totals[l] += parts * (estimates.Values[l][0] - estimates.Values[0][0]) *
-          (estimates.Values[l][1] - estimates.Values[0][1]);
-      }
-      for (int l = 0; l < LightLevels; ++l)
-      {
-        const Value difference = estimates.Values[l][0] - estimates.Values[l][1];
-        changes.Differences[l] += 0.25f * parts * difference * difference;
-        changes.Variances[l + 1] += parts * estimates.Variances[l + 1];
-      }
+      changes.Weights[l] += parts;
+      changes.Sums[l] += parts * (estimates.Values[l][0] - estimates.Values[l - 1][0]) *
+        (estimates.Values[l][1] - estimates.Values[l - 1][1]);
+      changes.Totals[l] += parts * (estimates.Values[l][0] - estimates.Values[0][0]) *
+        (estimates.Values[l][1] - estimates.Values[0][1]);
     }
-    const std::vector<Changes> regions = SumRegions(level, own);
-    this->Bias.resize(own.size());
-    ParallelFor(0, level.GetNumberOfBlocks(), 16, [&](int block) {
-      if (level.Begin[block] == level.Begin[block + 1])
+    for (int l = 0; l < LightLevels; ++l)
+    {
+      const Value difference = estimates.Values[l][0] - estimates.Values[l][1];
+      changes.Differences[l] += 0.25f * parts * difference * difference;
+      changes.Variances[l + 1] += parts * estimates.Variances[l + 1];
+    }
+  }
+
+  void PoolBias(const std::vector<int>& blocks)
+  {
+    const Level& level = this->GetBiasLevel();
+    ForAll(blocks, [&](int block) { this->RowSums[block] = this->SumLine(this->Sums, block, 0); });
+    ForAll(blocks, [&](int block) {
+      if (level.Ranges[block].Begin == level.Ranges[block].End)
       {
         return;
       }
-      const PatchBias<N> region(regions[block], nullptr);
-      for (std::uint32_t p = level.Begin[block]; p < level.Begin[block + 1]; ++p)
-      {
+      const PatchBias<N> region(this->SumLine(this->RowSums, block, 1), nullptr);
+      level.VisitPatches(block, [&](std::uint32_t p) {
         Changes sum;
         for (int i = 0; i < WindowBlocks; ++i)
         {
           const std::uint32_t other = level.Windows[p].Patches[i];
           if (other != NoPatch)
           {
-            sum.Add(own[other], (i % 3 == 1 ? 1.f : 0.5f) * (i / 3 == 1 ? 1.f : 0.5f));
+            sum.Add(this->Own[other], (i % 3 == 1 ? 1.f : 0.5f) * (i / 3 == 1 ? 1.f : 0.5f));
           }
         }
         this->Bias[p] = PatchBias<N>(sum, &region);
         this->Bias[p].Accumulate(sum);
-      }
+      });
     });
   }
 
-  /// Returns the sums over the blocks around each block, of all surfaces.
-  static std::vector<Changes> SumRegions(const Level& level, const std::vector<Changes>& patches)
+  /// Returns the sum of the values of the blocks of BiasLevel around a block, along an axis.
+  Changes SumLine(const std::vector<Changes>& values, int block, int axis) const
   {
-    std::vector<Changes> sums(level.GetNumberOfBlocks());
-    for (std::size_t block = 0; block < sums.size(); ++block)
+    const glm::ivec2 size = this->GetBiasLevel().Blocks;
+    const int stride = axis == 0 ? 1 : size.x;
+    const int at = axis == 0 ? block % size.x : block / size.x;
+    const int first = std::max(at - BiasRegion, 0);
+    const int last = std::min(at + BiasRegion, size[axis] - 1);
+    Changes sum;
+    for (int i = first; i <= last; ++i)
     {
-      for (std::uint32_t p = level.Begin[block]; p < level.Begin[block + 1]; ++p)
-      {
-        sums[block].Add(patches[p], 1.f);
-      }
+      sum.Add(values[block + (i - at) * stride], 1.f);
     }
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      const std::vector<Changes> single = sums;
-      const int stride = axis == 0 ? 1 : level.Blocks.x;
-      ParallelFor(0, level.GetNumberOfBlocks(), 64, [&](int block) {
-        const int at = axis == 0 ? block % level.Blocks.x : block / level.Blocks.x;
-        const int first = std::max(at - BiasRegion, 0);
-        const int last = std::min(at + BiasRegion, level.Blocks[axis] - 1);
-        sums[block] = Changes();
-        for (int i = first; i <= last; ++i)
-        {
-          sums[block].Add(single[block + (i - at) * stride], 1.f);
-        }
-      });
-    }
-    return sums;
+    return sum;
   }
 
-  void Combine(std::uint32_t p)
+  void Combine(std::uint32_t p, glm::ivec2 cell)
   {
     const PatchEstimates& estimates = this->Estimates[p];
-    const ModelBlend pool(this->Levels[BiasLevel - 1], this->FindBiasPatch(p), this->Cells[p]);
-    const Patch& patch = this->Levels[0].Patches[p];
+    const ModelBlend pool(this->GetBiasLevel(), this->FindBiasPatch(p), cell);
+    const Patch& patch = this->All[0].Patches[p];
     const float part = patch.Parts / patch.Sites;
     const float factor = 1.f + PartialSiteBias * (1.f - part);
     Value errors[LightLevels + 1];
@@ -408,6 +403,7 @@ private:
       sum += weights[l];
     }
     SitePatch<N>& result = this->Grid.Patches[p];
+    result = SitePatch<N>();
     result.Mean = patch.Mean;
     result.AloneWeight = weights[0] / sum;
     result.SquaredError = result.AloneWeight * errors[0];
@@ -415,8 +411,8 @@ private:
     std::uint32_t parent = p;
     for (int l = 1; l <= LightLevels; ++l)
     {
-      const Level& level = this->Levels[l - 1];
-      const ModelBlend blend(level, parent, this->Cells[p]);
+      const Level& level = this->All[l - 1];
+      const ModelBlend blend(level, parent, cell);
       const float weight = 0.5f * weights[l] / sum;
       result.SquaredError += 2.f * weight * errors[l];
       shared += 2.f * weight * Square(combined[l]) *
@@ -436,14 +432,36 @@ private:
   }
 
   SiteGrid<N>& Grid;
-  std::vector<glm::u8vec2> Cells; ///< per patch of the first level: first cell
-                                  ///< of its block, in its tile
-  std::vector<PatchEstimates> Estimates;
-  std::vector<PatchBias<N>> Bias;
-  Level Levels[LightLevels];
+  Level All[LightLevels];
+  std::vector<PatchEstimates> Estimates; ///< of patches of the first level
+  std::vector<Changes> Own;              ///< of patches of BiasLevel
+  std::vector<Changes> Sums;             ///< of blocks of BiasLevel
+  std::vector<Changes> RowSums;
+  std::vector<PatchBias<N>> Bias; ///< of patches of BiasLevel
 };
 
-} // namespace
+template <int N>
+SiteJoining<N>::SiteJoining(SiteGrid<N>& grid)
+  : State(std::make_unique<Levels>(grid))
+{
+}
+
+template <int N>
+SiteJoining<N>::~SiteJoining() = default;
+
+template <int N>
+void SiteJoining<N>::Start()
+{
+  std::vector<int> tiles(this->State->GetNumberOfTiles());
+  std::iota(tiles.begin(), tiles.end(), 0);
+  this->State->Update(tiles);
+}
+
+template <int N>
+std::vector<int> SiteJoining<N>::Update(const std::vector<int>& tiles)
+{
+  return this->State->Update(tiles);
+}
 
 int GetJoiningReach()
 {
@@ -455,9 +473,12 @@ int GetJoiningReach()
 template <int N>
 void JoinSites(SiteGrid<N>& grid)
 {
-  SiteJoining<N>(grid).Run();
+  SiteJoining<N>(grid).Start();
 }
 
+template class SiteJoining<1>;
+template class SiteJoining<3>;
+template class SiteJoining<4>;
 template void JoinSites(SiteGrid<1>&);
 template void JoinSites(SiteGrid<3>&);
 template void JoinSites(SiteGrid<4>&);

@@ -9,11 +9,35 @@
 #include "SiteGrid.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro
 
+#include <memory>
+#include <vector>
+
 namespace penumbra
 {
 
 /// Largest distance, in pixels, of the sites that a joined estimate depends on.
 int GetJoiningReach();
+
+/// Keeps what joined estimates are computed from, so that few changes take little time.
+template <int N>
+class VTKPENUMBRAFILTERSRAYCASTING_EXPORT SiteJoining
+{
+public:
+  /// `grid` must outlive this object, and keep the number of sites of all pixels.
+  explicit SiteJoining(SiteGrid<N>& grid);
+  ~SiteJoining();
+
+  /// Computes the joined estimates of all sites, the first time.
+  void Start();
+
+  /// Computes the estimates that change with the sites of the tiles with these indices. The result has the same bits
+  /// as that of Start(). Returns the tiles that have such estimates.
+  std::vector<int> Update(const std::vector<int>& tiles);
+
+private:
+  class Levels;
+  std::unique_ptr<Levels> State;
+};
 
 /// Computes the joined estimates of all sites.
 template <int N>
