@@ -23,6 +23,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 
 namespace penumbra_testing
 {
@@ -56,6 +57,30 @@ inline std::string ReadText(const std::string& path)
   return { std::istreambuf_iterator<char>(file), {} };
 }
 
+/// Writes settings of Fontconfig that select only fonts of the Debian package fonts-liberation, if they are
+/// installed, so that figures do not depend on other fonts of the machine. Returns the
+/// setting for the environment of a command.
+inline std::string SelectFonts(const std::filesystem::path& folder)
+{
+  const std::string fonts = "/usr/share/fonts/truetype/liberation";
+  if (!std::filesystem::exists(fonts))
+  {
+    return std::string();
+  }
+  const std::string path = (folder / "fonts.conf").string();
+  std::ofstream file(path);
+  file << "<fontconfig><dir>" << fonts << "</dir><cachedir>" << (folder / "fonts").string()
+       << "</cachedir>";
+  for (const auto& [family, other] : { std::pair("Arial", "Sans"), std::pair("Helvetica", "Sans"),
+         std::pair("Times", "Serif"), std::pair("Courier", "Mono") })
+  {
+    file << "<alias binding=\"same\"><family>" << family << "</family><prefer><family>Liberation "
+         << other << "</family></prefer></alias>";
+  }
+  file << "</fontconfig>";
+  return "FONTCONFIG_FILE=" + path + " ";
+}
+
 /// Runs a command and fails if it does.
 inline void RunCommand(const std::string& command, const std::string& package)
 {
@@ -75,13 +100,14 @@ inline vtkSmartPointer<vtkImageData> Rasterize(
   const std::string name = folder.File("raster-" + format);
   if (format == "svg")
   {
-    RunCommand("rsvg-convert -w " + width + " -h " + height + " " + path + " -o " + name + ".png",
+    RunCommand(SelectFonts(folder.Path) + "rsvg-convert -w " + width + " -h " + height + " " +
+        path + " -o " + name + ".png",
       "librsvg2-bin");
   }
   else
   {
-    RunCommand("pdftocairo -png -singlefile -transp -scale-to-x " + width + " -scale-to-y " +
-        height + " " + path + " " + name,
+    RunCommand(SelectFonts(folder.Path) + "pdftocairo -png -singlefile -transp -scale-to-x " +
+        width + " -scale-to-y " + height + " " + path + " " + name,
       "poppler-utils");
   }
   vtkNew<vtkPNGReader> reader;
