@@ -461,6 +461,11 @@ void RayScene::Occluded16(const Ray* rays, bool* occluded) const
   OccludedPacket<RTCRay8, 8>(*this, rays + 8, occluded + 8);
 }
 
+void RayScene::Occluded8(const Ray* rays, bool* occluded) const
+{
+  OccludedPacket<RTCRay8, 8>(*this, rays, occluded);
+}
+
 bool RayScene::Occluded(const Ray& ray) const
 {
   if (!IsTraceable(ray))

@@ -93,17 +93,16 @@ public:
   /// Returns the nearest hit of a ray; culled sides of surfaces are skipped.
   Hit Intersect(const Ray& ray) const;
 
-  /// Computes the nearest hits of 16 rays. Rays with Near > Far are inactive and miss.
+  /// Computes the nearest hits of 16 or 8 rays. Rays with Near > Far are inactive and miss.
   void Intersect16(const Ray* rays, Hit* hits) const;
-
-  /// Computes the nearest hits of 8 rays in the same way.
   void Intersect8(const Ray* rays, Hit* hits) const;
 
   /// Returns true if the ray hits a surface. Surfaces with IsLineOrPoint do not occlude.
   bool Occluded(const Ray& ray) const;
 
-  /// Computes the occlusion of 16 rays. Rays with Near > Far are inactive and unoccluded.
+  /// Computes the occlusion of 16 or 8 rays. Rays with Near > Far are inactive and unoccluded.
   void Occluded16(const Ray* rays, bool* occluded) const;
+  void Occluded8(const Ray* rays, bool* occluded) const;
 
   /// Returns the geometric normal at a hit of `ray`, not normalized. It points to the front side of
   /// triangles and to the outside of spheres and tubes.

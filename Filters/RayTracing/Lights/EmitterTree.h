@@ -28,6 +28,7 @@ struct Emitter
   glm::vec3 Color{ 1.f };           ///< its radiance, relative to Strength
   std::uint32_t Surface = 0;        ///< index into Scene::Surfaces
   std::uint32_t Primitive = 0;
+  float Extent = 0.f; ///< largest coordinate of the corners, set by EmitterTree
 
   /// Returns the area, of a triangle that of one side.
   float ComputeArea() const;
@@ -51,6 +52,9 @@ public:
     glm::vec3 Direction{ 0.f }; ///< unit vector
     float Distance = 0.f;
     float Density = 0.f; ///< probability per solid angle of a direction toward this emitter
+    /// Distance, a little shorter, up to which a ray does not hit the triangle itself, despite rounding; 0 if that is
+    /// uncertain: of spheres, at grazing angles, and far from the emitter.
+    float ClearDistance = 0.f;
   };
 
   /// Maps `u` in [0, 1)^2 to a direction from `point` into the hemisphere about `normal` (unit).

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Illumination.h"
 
+#include "Embree/CoincidentSurfaces.h"
 #include "HemisphereSampling.h"
 #include "Lights/EmissiveSurfaces.h"
 #include "RayTracingConstants.h"
 #include "Scene.h"
 #include "Surface.h"
+#include "TranslucentOcclusion.h"
 #include "Vectors.h"
 
 #include <glm/gtc/constants.hpp>
@@ -31,6 +33,17 @@ constexpr float SmallestLastRayProbability = 0.125f;
 /// Noise that this adds to a mean of paths where no sun is seen, as a fraction of the tolerance.
 constexpr double LastRayNoise = 0.5;
 
+/// Returns true if the emitters of a surface of an opaque scene are visible wherever no surface is before them: its
+/// triangles have one color on both sides, and no other surface coincides with them.
+bool IsPlainEmitter(const Shading& shading, std::uint32_t index)
+{
+  const RayScene& rays = shading.GetRays();
+  const Surface& surface = rays.GetSurfaces()[index];
+  return shading.HasUniformEmission(index) && surface.Frontfaces && surface.Backfaces &&
+    !surface.IsRound() && !surface.Instances &&
+    rays.GetCoincidentSurfaces().DepthTolerance(index) == 0.f;
+}
+
 }
 
 Illumination::Illumination(const RayScene& rays, const IlluminationSettings& settings)
@@ -48,6 +61,17 @@ void Illumination::FindEmitters()
   this->FindSourceRadiance(found.MeanRadiance);
   if (!found.Bright.empty())
   {
+    this->PlainEmitters.assign(this->Rays.GetSurfaces().size(), 0);
+    const bool isOpaque = !HasTranslucentOccluders(this->Rays.GetSurfaces());
+    std::uint32_t last = Hit::None;
+    for (const Emitter& emitter : found.Bright)
+    {
+      if (emitter.Surface != last)
+      {
+        last = emitter.Surface;
+        this->PlainEmitters[last] = isOpaque && IsPlainEmitter(this->SurfaceShading, last);
+      }
+    }
     this->SampledEmitters = std::make_shared<const EmitterTree>(std::move(found.Bright));
   }
   const bool round = found.HasTubes ||

@@ -18,7 +18,6 @@
 
 namespace penumbra
 {
-
 struct IlluminationSettings
 {
   glm::vec3 Environment{ 0.f };              ///< radiance of rays that hit nothing
@@ -141,6 +140,7 @@ private:
   IlluminationSettings Settings;
   std::vector<Emitter> Emitters;
   std::shared_ptr<const EmitterTree> SampledEmitters; ///< null if there are none
+  std::vector<char> PlainEmitters; ///< of each surface, see IsPlainEmitter() in Illumination.cxx
   SourceRadiance Sources;
   float UnlitProbability = 1.f; ///< of last rays, where no sun is seen
   float LastRadiance = 0.f;     ///< which the last rays of paths may meet, under suns

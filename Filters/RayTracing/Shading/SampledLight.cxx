@@ -173,7 +173,9 @@ public:
       // Of the same sample, only the visibility is that from the curved surface.
       up = normals.Shading;
       ray.Origin = start + RayOriginOffset(start) * up;
-      emitter.Distance = glm::distance(target, ray.Origin);
+      const float distance = glm::distance(target, ray.Origin);
+      emitter.ClearDistance *= distance / emitter.Distance;
+      emitter.Distance = distance;
       emitter.Direction = (target - ray.Origin) / emitter.Distance;
     }
     if (!(glm::dot(emitter.Direction, up) > 0.f))
@@ -187,9 +189,14 @@ public:
     return glm::vec3(weight);
   }
 
-  // Rays are traced to the nearest hit: coincident surfaces may hide the emitter.
+  // Rays are traced to the nearest hit unless all emitters are plain: coincident surfaces may hide the others.
   void Trace(std::uint32_t count, glm::vec3* carried, long long& rays)
   {
+    if (this->IsPlain(count))
+    {
+      this->TraceOcclusion(count, carried, rays);
+      return;
+    }
     const RayScene& scene = this->Light.Rays;
     std::array<Hit, PacketSize> hits;
     std::fill(this->Packet.begin() + count, this->Packet.end(), MakeInactiveRay());
@@ -235,6 +242,63 @@ public:
   std::array<float, PacketSize> Visible; ///< fraction of the light of each ray that arrives
 
 private:
+  /// Returns true if what is before the emitters decides whether the first `count` rays arrive.
+  bool IsPlain(std::uint32_t count) const
+  {
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      const EmitterTree::Sample& emitter = this->Samples[i];
+      if (IsActive(this->Packet[i]) &&
+        !(emitter.ClearDistance > 0.f && this->Light.PlainEmitters[emitter.Target->Surface]))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Trace() of rays toward plain emitters.
+  void TraceOcclusion(std::uint32_t count, glm::vec3* carried, long long& rays)
+  {
+    const RayScene& scene = this->Light.Rays;
+    std::array<Ray, PacketSize> shorter;
+    std::array<bool, PacketSize> occluded{};
+    std::fill(shorter.begin() + count, shorter.end(), MakeInactiveRay());
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      shorter[i] = this->Packet[i];
+      if (IsActive(shorter[i]))
+      {
+        shorter[i].Far = this->Samples[i].ClearDistance;
+        ++rays;
+      }
+    }
+    if (count == 1)
+    {
+      occluded[0] = scene.Occluded(shorter[0]);
+    }
+    else if (count <= PacketSize / 2)
+    {
+      scene.Occluded8(shorter.data(), occluded.data());
+    }
+    else
+    {
+      scene.Occluded16(shorter.data(), occluded.data());
+    }
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      const bool isVisible = IsActive(shorter[i]) && !occluded[i];
+      this->Visible[i] = isVisible ? 1.f : 0.f;
+      carried[i] = glm::vec3(0.f);
+      if (isVisible)
+      {
+        Hit hit;
+        hit.Surface = this->Samples[i].Target->Surface;
+        carried[i] = this->Light.SurfaceShading.ShadeEmission(shorter[i], hit).Emission;
+      }
+    }
+  }
+
   /// Returns what ray `i` carries whose first hit is `hit`; follows it through translucent layers.
   glm::vec3 Follow(Ray ray, Hit hit, std::uint32_t i, long long& rays)
   {

@@ -119,6 +119,11 @@ bool Shading::IsConstant(const Surface& surface, const SurfaceMaterial& material
       [](const Light& light) { return light.Kind == Light::Kinds::Directional; });
 }
 
+bool Shading::HasUniformEmission(std::uint32_t surface) const
+{
+  return this->Materials[surface].UniformEmission;
+}
+
 ShadedHit Shading::ShadeEmission(const Ray& ray, const Hit& hit) const
 {
   const SurfaceMaterial& material = this->Materials[hit.Surface];

@@ -51,12 +51,10 @@ struct PenumbraSampling
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT Shading
 {
 public:
-  /// `shadows`: if on, shadow rays are traced toward the lights with CastsShadow. `scene` must
-  /// outlive this object.
+  /// `shadows`: if on, shadow rays are traced toward the lights with CastsShadow. `scene` must outlive this object.
   Shading(const RayScene& scene, bool shadows);
 
-  /// Sets the attenuation of lights that cast shadows on their way to surfaces, which must outlive
-  /// this object. Null: none.
+  /// Sets the attenuation of the lights that cast shadows; it must outlive this object. Null: none.
   void SetAttenuation(const LightAttenuation* attenuation) { this->Attenuation = attenuation; }
 
   /// Sets light that Shade() adds to All and Untextured, times the reflectance; not on lines and points. Default: 0.
@@ -78,6 +76,8 @@ public:
 
   /// Shades a hit without lights: Color is Emission. Normals may be left out.
   ShadedHit ShadeEmission(const Ray& ray, const Hit& hit) const;
+  /// Returns true if it depends only on the surface of the hit.
+  bool HasUniformEmission(std::uint32_t surface) const;
 
   /// Returns the transmittance of the scene along `ray`: 1 if unoccluded, 0 behind opaque surfaces.
   float TraceTransmittance(Ray ray, long long& shadowRays) const;
