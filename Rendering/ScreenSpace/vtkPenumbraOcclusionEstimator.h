@@ -76,7 +76,8 @@ public:
 
   /**
    * Fill `target` (one float per pixel) with the mean of new samples: 0 unoccluded, 1 fully
-   * occluded. Returns the number of samples per pixel; 0 if the estimate failed.
+   * occluded. Returns the number of samples per pixel; 0 if the estimate failed. Windows with an interactor
+   * also call this between frames of a static view, with the context of the window current.
    */
   virtual int Estimate(const Request& request, vtkTextureObject* target) = 0;
 

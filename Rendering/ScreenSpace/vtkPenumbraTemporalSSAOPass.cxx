@@ -91,13 +91,13 @@ struct vtkPenumbraTemporalSSAOPass::Internals
     std::string Estimator;       ///< kernel or estimator and its settings, as text
     vtkMTimeType HiddenTime = 0; ///< GetSceneMTime() of the estimator
     int Margin = 0;              ///< pixels
+    vtkSmartPointer<vtkPenumbraOcclusionEstimator> Used; ///< in the last frame
   };
   penumbra::RendererMap<RendererState> Renderers; ///< one per eye in stereo
   penumbra::OcclusionViewState* Last = nullptr;
   vtkSmartPointer<vtkPenumbraOcclusionEstimator> Estimator;
   vtkSmartPointer<vtkPenumbraOcclusionEstimator> NamedEstimator; ///< registered by another module
   std::string EstimatorName;
-  vtkSmartPointer<vtkPenumbraOcclusionEstimator> Used; ///< in the last frame
   vtkNew<vtkPenumbraKernelEstimator> Kernels;
   penumbra::OcclusionConstants Constants;
   vtkNew<vtkFieldData> Statistics;
@@ -106,11 +106,14 @@ struct vtkPenumbraTemporalSSAOPass::Internals
 
   explicit Internals(vtkPenumbraTemporalSSAOPass* pass)
     : Refiner([this, pass](vtkRenderer* renderer) {
-        const double seconds = this->Constants.StepsPerFrame > 0 ? 0.0 : pass->FrameTime;
-        return !this->Used || this->Used->RefineBetweenFrames(renderer, seconds);
+        return this->RefineBetweenFrames(
+          renderer, this->Constants.StepsPerFrame > 0 ? 0.0 : pass->FrameTime);
       })
   {
   }
+
+  /// Continues the image of a renderer, in stereo of both eyes. Returns true if a frame is needed.
+  bool RefineBetweenFrames(vtkRenderer* renderer, double seconds);
 
   /// Returns whether a renderer has converged; in stereo, both of its eyes.
   bool IsConverged(vtkRenderer* renderer, int eye)
@@ -123,6 +126,46 @@ struct vtkPenumbraTemporalSSAOPass::Internals
   /// Returns a text that differs between estimators, and between settings of an estimator.
   std::string DescribeEstimator() const;
 };
+
+bool vtkPenumbraTemporalSSAOPass::Internals::RefineBetweenFrames(
+  vtkRenderer* renderer, double seconds)
+{
+  auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const bool isStereo = window && window->GetStereoRender();
+  std::vector<RendererState*> eyes;
+  for (int eye = isStereo ? 1 : 0; eye <= (isStereo ? 2 : 0); ++eye)
+  {
+    RendererState* const state = this->Renderers.Find(renderer, eye);
+    if (state && state->Used && !state->View.IsConverged())
+    {
+      eyes.push_back(state);
+    }
+  }
+  if (eyes.empty())
+  {
+    return true;
+  }
+  if (eyes.front()->Used->CanRefine())
+  {
+    return eyes.front()->Used->RefineBetweenFrames(renderer, seconds);
+  }
+  if (!window || seconds <= 0.0)
+  {
+    return true;
+  }
+  window->MakeCurrent();
+  if (!window->IsCurrent())
+  {
+    return true;
+  }
+  bool isNeeded = false;
+  for (RendererState* eye : eyes)
+  {
+    isNeeded =
+      eye->View.RefineBetweenFrames(seconds / static_cast<double>(eyes.size())) || isNeeded;
+  }
+  return isNeeded;
+}
 
 std::string vtkPenumbraTemporalSSAOPass::Internals::DescribeEstimator() const
 {
@@ -267,7 +310,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
     rendererState.Margin = this->LimitMargin(window, renderer->GetSize(), rendererState.Margin);
     settings.Margin[0] = settings.Margin[1] = rendererState.Margin;
   }
-  internals.Used = estimator;
+  rendererState.Used = estimator;
   internals.Last = &rendererState.View;
   if (!internals.Last->Render(state, this->DelegatePass, estimator, settings))
   {
@@ -335,7 +378,6 @@ void vtkPenumbraTemporalSSAOPass::ReleaseGraphicsResources(vtkWindow* window)
     [&](Internals::RendererState& state) { state.View.ReleaseGraphicsResources(window); });
   internals.Renderers.Clear();
   internals.Last = nullptr;
-  internals.Used = nullptr;
   internals.Kernels->ReleaseGraphicsResources(window);
   for (vtkPenumbraOcclusionEstimator* estimator :
     { internals.Estimator.Get(), internals.NamedEstimator.Get() })

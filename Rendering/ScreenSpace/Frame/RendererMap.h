@@ -39,6 +39,11 @@ public:
     return entry != this->Entries.end() && entry->second.Renderer ? &entry->second.Value : nullptr;
   }
 
+  State* Find(vtkRenderer* renderer, int eye = 0)
+  {
+    return const_cast<State*>(std::as_const(*this).Find(renderer, eye));
+  }
+
   /// Calls visit(state) for all states.
   template <typename Visit>
   void VisitAll(const Visit& visit)

@@ -14,8 +14,8 @@ namespace penumbra
 
 // --- Camera coordinates (TestOcclusionViews) ---
 
-/// Camera coordinates preserve lengths and angles if products of their axes are at most this far
-/// from 0 and 1. Larger than the rounding of VTK's matrices.
+/// Camera coordinates preserve lengths and angles if products of their axes are at most this far from 0 and 1. Larger
+/// than the rounding of VTK's matrices.
 constexpr double RigidTolerance = 1e-9;
 
 // --- Camera cuts and clipping planes (TestOcclusionHistory) ---
@@ -45,12 +45,10 @@ constexpr double ThicknessToWidthRatio = 1.5;
 constexpr double MinimumThickness = 0.05;
 constexpr double MaximumThickness = 1.5;
 
-/// Number of frames between measurements of the thickness in motion. Each reads the depths back
-/// from the graphics card.
+/// Number of frames between measurements of the thickness in motion. Each reads the depths back.
 constexpr int FramesPerThickness = 8;
 
-/// Number of frames after which depths that are read back in motion are used. By then they have
-/// arrived, so that no frame waits for them.
+/// Number of frames after which depths that are read back in motion are used, so that no frame waits for them.
 constexpr int FramesUntilThickness = 4;
 
 /// Fraction of the ratio to the measured thickness by which the used one changes in a frame. 90 % are
@@ -72,9 +70,17 @@ constexpr double ErrorPerDifference = 1.25;
 /// pixels of a tile have in common is visible as a step at the tile's edge.
 constexpr double TileOffsetWeight = 4.0;
 
-/// A static view stops refining after this multiple of MaximumWeight samples, even if the tolerance
-/// is not met.
+/// A static view stops refining after this multiple of MaximumWeight samples, even above the tolerance.
 constexpr double StillSampleLimit = 8.0;
+
+/// A window draws a static view again when its number of samples has grown to this multiple: with fewer new ones
+/// the frame looks the same, and drawing the scene takes time from the samples. Measured with
+/// `./penumbra benchmark ambient-occlusion --only settling`, like the following constant.
+constexpr int SamplesPerFrameGrowth = 4;
+
+/// Factor of the samples of a step once a static view in a window has as many, because the rest of a step costs as
+/// much with few. Larger steps save no more time, but delay the reaction to input.
+constexpr int LargeStaticStep = 2;
 
 /// Fraction of FrameTime for the samples of a frame in motion and during interaction.
 constexpr double MotionTimeFraction = 0.2;
@@ -83,12 +89,10 @@ constexpr double MotionTimeFraction = 0.2;
 /// that the pixel gets new ones in each frame. Measured with `./penumbra benchmark session --only rays`.
 constexpr double KeptOfOwnSamples = 0.45;
 
-/// While actors move in front of a static camera, the number of frames between comparisons of
-/// depths.
+/// While actors move in front of a static camera, the number of frames between comparisons of depths.
 constexpr int FramesPerDepthComparison = 8;
 
-/// Number of frames after which the result of such a comparison is read. By then it has arrived, so
-/// that no frame waits for it.
+/// Number of frames after which the result of such a comparison is read, so that no frame waits for it.
 constexpr int FramesUntilComparison = 4;
 
 // --- Automatic margin (TestOcclusionHistory for zooms) ---
@@ -104,8 +108,7 @@ constexpr double MinimumUsedMargin = 0.5;
 
 // --- Light shafts (`./penumbra benchmark light-shafts`) ---
 
-/// Minimum extinction times the diagonal, for a medium that scatters nothing: shaders divide by
-/// extinction.
+/// Minimum extinction times the diagonal, for a medium that scatters nothing: shaders divide by extinction.
 constexpr double MinimumOpticalDepth = 1e-12;
 /// Automatic steps times tolerance. This and the following constants were measured.
 constexpr double StepsTimesTolerance = 0.375;

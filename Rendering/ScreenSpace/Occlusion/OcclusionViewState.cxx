@@ -2,23 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OcclusionViewState.h"
 
-#include "Frame/BackgroundDepth.h"
 #include "Frame/ScreenSpaceConstants.h"
 #include "vtkPenumbraOcclusionEstimator.h"
 
 #include "vtkCamera.h"
-#include "vtkFloatArray.h"
-#include "vtkImageData.h"
-#include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPointData.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 
 namespace penumbra
 {
@@ -36,15 +30,6 @@ int ChooseTurn(int frame, int turns)
 {
   const unsigned int random = static_cast<unsigned int>(frame / turns) * 2654435761u; // [Knuth]
   return static_cast<int>((frame % turns + (random >> 16)) % turns);
-}
-
-vtkFloatArray* AddArray(vtkImageData* image, const char* name)
-{
-  vtkNew<vtkFloatArray> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(image->GetNumberOfPoints());
-  image->GetPointData()->AddArray(array);
-  return array;
 }
 
 }
@@ -241,14 +226,50 @@ bool OcclusionViewState::Converge(EyeDepth::Change change)
     return std::chrono::duration<double>(Clock::now() - start).count() < this->Settings.Seconds;
   };
   this->Refined = this->Refined && refines && change == EyeDepth::Change::None;
+  const int samplesBetween = this->TileConvergence.GetSamples() - this->SamplesOfFrame;
+  if (isStatic && !refines && this->RefinedBetweenFrames && samplesBetween > 0)
+  {
+    this->NewSamples = this->DisocclusionSamples = samplesBetween;
+    return this->FinishFrame();
+  }
   bool done = refines ? this->Refine() : this->Estimate(change);
   while (done && isStatic && !this->MeetsTolerance() &&
     (mayContinue() || (this->Settings.InOneRender && refines && !this->Refined)))
   {
     done = refines ? this->Refine() : this->Estimate(EyeDepth::Change::None);
   }
-  this->Converged = done && this->MeetsTolerance();
-  return done && this->Filter();
+  return done && this->FinishFrame();
+}
+
+bool OcclusionViewState::FinishFrame()
+{
+  this->RefinedBetweenFrames = false;
+  this->SamplesOfFrame = this->TileConvergence.GetSamples();
+  this->Converged = this->MeetsTolerance();
+  return this->Filter();
+}
+
+bool OcclusionViewState::RefineBetweenFrames(double seconds)
+{
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const bool canContinue = this->Estimator && !this->Estimator->CanRefine() && !this->Changed &&
+    !this->Converged && !this->Settings.InOneRender && this->TileConvergence.GetSamples() > 0;
+  if (!canContinue)
+  {
+    return true;
+  }
+  this->RefinedBetweenFrames = true;
+  bool done = true;
+  do
+  {
+    done = this->Estimate(EyeDepth::Change::None);
+    this->Window->WaitForCompletion();
+  }
+  while (done && !this->MeetsTolerance() &&
+    std::chrono::duration<double>(Clock::now() - start).count() < seconds);
+  return !done || this->MeetsTolerance() ||
+    this->TileConvergence.GetSamples() >= SamplesPerFrameGrowth * this->SamplesOfFrame;
 }
 
 void OcclusionViewState::LimitSamplesSinceReset()
@@ -312,6 +333,11 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
   const bool many =
     !byPixel && (change != EyeDepth::Change::Moved || convergence < constants.AdaptiveConvergence);
   request.Samples = many ? constants.FirstSamples : constants.Samples;
+  if (refine && !settings.InOneRender && constants.StepsPerFrame == 0 &&
+    this->TileConvergence.GetSamples() >= LargeStaticStep * request.Samples)
+  {
+    request.Samples *= LargeStaticStep;
+  }
   request.ShortHistorySamples =
     byPixel ? std::max(constants.FirstSamples, request.Samples) : request.Samples;
   request.Parts = refine && this->TileConvergence.HasTileErrors()
@@ -408,76 +434,6 @@ bool OcclusionViewState::Filter()
   return this->Bilateral.Apply(this->Window, this->Image, this->Depth.GetView(),
     this->Depth.GetCurrent(), this->History.GetTexture(), this->History.GetScratchTexture(),
     this->Estimates, settings, this->InnerRegion);
-}
-
-std::vector<float> OcclusionViewState::ReadMeans() const
-{
-  const std::vector<float> depths = ReadBack(this->Depth.GetCurrent());
-  const std::vector<float> history = ReadBack(this->History.GetTexture());
-  std::vector<float> values(depths.size(), -1.f);
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    // Pixels in the margin have no weight.
-    if (depths[i] < BackgroundDepth && history[2 * i + 1] > 0.f)
-    {
-      values[i] = history[2 * i] / history[2 * i + 1];
-    }
-  }
-  return values;
-}
-
-HistoryCounts OcclusionViewState::CountPixels()
-{
-  if (!this->Estimates)
-  {
-    return {};
-  }
-  PixelCounter::Inputs inputs;
-  inputs.EyeDepths = this->Depth.GetCurrent();
-  inputs.History = this->History.GetTexture();
-  inputs.MovedActors = this->HasActorMotion ? this->Motion.GetTarget() : nullptr;
-  inputs.NewWeight = this->NewSamples > 0 ? this->DisocclusionSamples : 0;
-  inputs.InvalidationWeight = this->MovedNeighborWeight;
-  inputs.ConvergedWeight = this->Converged
-    ? 0.0
-    : this->Settings.Constants.SpatialConvergence * this->Settings.Constants.MaximumWeight;
-  return this->Counter.Count(this->Window, this->Image, inputs);
-}
-
-void OcclusionViewState::CopyTo(vtkImageData* image) const
-{
-  const int* size = this->Image.GetViewport() + 2;
-  image->SetDimensions(size[0], size[1], 1);
-  vtkFloatArray* occlusions = AddArray(image, "AmbientOcclusion");
-  vtkFloatArray* depths = AddArray(image, "Depth");
-  vtkFloatArray* convergences = AddArray(image, "Convergence");
-  if (!this->Estimates)
-  {
-    return;
-  }
-  const std::vector<float> eyeDepths = ReadBack(this->Depth.GetCurrent());
-  const std::vector<float> history = ReadBack(this->History.GetTexture());
-  const std::vector<float> result = ReadBack(this->Estimates);
-  const ScreenTransform& view = this->Depth.GetView();
-  for (int j = 0; j < size[1]; ++j)
-  {
-    for (int i = 0; i < size[0]; ++i)
-    {
-      const std::size_t at = static_cast<std::size_t>(j + this->Image.GetMargin()[1]) * view.Width +
-        i + this->Image.GetMargin()[0];
-      const vtkIdType target = static_cast<vtkIdType>(j) * size[0] + i;
-      const bool empty = eyeDepths[at] >= BackgroundDepth;
-      const double depth = eyeDepths[at] * view.Unit;
-      occlusions->SetValue(target, empty ? 0.f : result[at]);
-      depths->SetValue(
-        target, empty ? std::numeric_limits<float>::infinity() : static_cast<float>(depth));
-      convergences->SetValue(target,
-        empty ? 1.f
-              : std::min(
-                  static_cast<float>(history[2 * at + 1] / this->Settings.Constants.MaximumWeight),
-                  1.f));
-    }
-  }
 }
 
 void OcclusionViewState::ReleaseGraphicsResources(vtkWindow* window)

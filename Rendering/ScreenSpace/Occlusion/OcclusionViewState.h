@@ -60,9 +60,13 @@ public:
   bool Render(const vtkRenderState* state, vtkRenderPass* delegate,
     vtkPenumbraOcclusionEstimator* estimator, const OcclusionSettings& settings);
 
+  /// Adds samples to the last frame, which was static, for about `seconds`, without an image. Returns true if a
+  /// frame would show a better image, or is needed to continue. The context of the window is current.
+  bool RefineBetweenFrames(double seconds);
+
   int GetNumberOfRenderedProps() const { return this->Props; }
 
-  /// Number of samples per pixel added in the last frame; 0 once converged.
+  /// Number of samples per pixel added in the last frame and since the one before; 0 once converged.
   int GetNewSamples() const { return this->NewSamples; }
   bool IsConverged() const { return this->Converged; }
   /// Returns whether the camera or the depths of the last frame differ from the one before.
@@ -84,6 +88,7 @@ private:
   ConvergedFrame::CompositeInputs GetCompositeInputs() const;
   void UpdateActorMotion();
   bool Converge(EyeDepth::Change change);
+  bool FinishFrame();
   /// Limits the number of samples that are assumed in pixels to InvalidationWeight.
   void LimitSamplesSinceReset();
   /// Returns whether the estimator can be part of the reprojecting shader.
@@ -116,13 +121,15 @@ private:
   int FramesWithTurns = 0;                     ///< frames in which settled pixels took turns
   int SamplesSinceReset = 0; ///< number of samples since the history was discarded
   int NewSamples = 0;
+  int SamplesOfFrame = 0;           ///< number of samples of the static view in the last frame
   int DisocclusionSamples = 0;      ///< number of new samples at pixels without history
   double MovedNeighborWeight = 0.0; ///< maximum number of samples kept if a neighbor moved
   int Props = 0;
-  bool HasActorMotion = false;   ///< the image of moving actors is valid in this frame
-  bool Refined = false;          ///< the history is an image of the estimator's Refine()
-  bool Filtered = false;         ///< Estimates are filtered with the current settings
-  bool StoredFrameValid = false; ///< StoredFrame was composited with the current settings
+  bool HasActorMotion = false;       ///< the image of moving actors is valid in this frame
+  bool Refined = false;              ///< the history is an image of the estimator's Refine()
+  bool RefinedBetweenFrames = false; ///< samples were added since the last frame
+  bool Filtered = false;             ///< Estimates are filtered with the current settings
+  bool StoredFrameValid = false;     ///< StoredFrame was composited with the current settings
   bool Converged = false;
   bool TurnsFast = false; ///< too fast to use the history of a kernel
   bool Changed = true;

@@ -47,6 +47,13 @@ protected:
     scene.Pass->SetTolerance(0.01);
   }
 
+  /// Lets the time of a frame end it after each step of samples, or few.
+  static void TakeShortFrames(OcclusionScene& scene)
+  {
+    scene.Pass->GetConstants().StepsPerFrame = 0;
+    scene.Pass->SetFrameTime(0.001);
+  }
+
   /// Renders a frame of the application and returns the number of frames of `ticks` ticks.
   int FramesAfter(int ticks)
   {
@@ -83,6 +90,52 @@ TEST_F(StaticViewRefinement, RendersFramesUntilConvergedAndThenNone)
   this->Scene.Renderer->GetActiveCamera()->Azimuth(1.0);
   EXPECT_LT(10, this->FramesAfter(1000));
   EXPECT_TRUE(this->Scene.Pass->IsConverged());
+}
+
+TEST_F(StaticViewRefinement, AddsSamplesBetweenFramesAndDrawsEachFourfoldNumber)
+{
+  OcclusionScene manual;
+  Build(manual);
+  TakeShortFrames(manual);
+  for (int i = 0; i < 1000 && !manual.Pass->IsConverged(); ++i)
+  {
+    manual.Window->Render();
+  }
+  TakeShortFrames(this->Scene);
+  const int frames = this->FramesAfter(1000);
+  EXPECT_TRUE(this->Scene.Pass->IsConverged());
+  EXPECT_TRUE(this->Interactor->Timers.empty());
+  EXPECT_EQ(manual.Image(), this->Scene.Image());
+  const double samples = this->Statistic("Samples/Static");
+  EXPECT_EQ(manual.Pass->GetStatistics()->GetArray("Samples/Static")->GetComponent(0, 0), samples);
+  EXPECT_GE(samples, 512.0);
+  // The first static frame, one per fourfold number of samples, and the converged one.
+  EXPECT_LE(frames, 2 + static_cast<int>(std::log2(samples / 32.0) / 2.0));
+}
+
+TEST_F(StaticViewRefinement, AddsSamplesBetweenFramesOfBothEyes)
+{
+  TakeShortFrames(this->Scene);
+  this->Scene.Window->SetStereoTypeToAnaglyph();
+  this->Scene.Window->StereoRenderOn();
+  EXPECT_LE(this->FramesAfter(1000), 8);
+  EXPECT_TRUE(this->Scene.Pass->IsConverged());
+  EXPECT_TRUE(this->Interactor->Timers.empty());
+}
+
+TEST_F(StaticViewRefinement, DropsSamplesBetweenFramesWhenTheSceneChanges)
+{
+  TakeShortFrames(this->Scene);
+  this->FramesAfter(10);
+  this->Scene.AddSphere({ 1, 0, 0.5 }, 0.4);
+  this->FramesAfter(1000);
+  EXPECT_TRUE(this->Scene.Pass->IsConverged());
+  OcclusionScene other;
+  Build(other);
+  other.AddSphere({ 1, 0, 0.5 }, 0.4);
+  other.Pass->SetConvergeInOneRender(Pass::ALWAYS);
+  other.Window->Render();
+  EXPECT_LT(Rms(other.Array("AmbientOcclusion"), this->Scene.Array("AmbientOcclusion")), 0.01);
 }
 
 TEST_F(StaticViewRefinement, StopsDuringInteraction)
