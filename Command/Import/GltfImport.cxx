@@ -8,6 +8,7 @@
 #include "CollectionItems.h"
 #include "Files/TemporaryFile.h"
 #include "Processes/MessageLog.h"
+#include "TextureImages.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -123,6 +124,7 @@ std::vector<vtkSmartPointer<vtkActor>> MatchActors(
     {
       return {};
     }
+    ConvertTexturesToBytes(actors[index]);
     matched.push_back(actors[index]);
     TransformTangents(leaf);
   }

@@ -9,6 +9,7 @@
 #include "Formats/MeshReaders.h"
 #include "MtlFile.h"
 #include "Processes/CommandError.h"
+#include "TextureImages.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -260,6 +261,7 @@ private:
     }
     auto texture = vtkSmartPointer<vtkTexture>::New();
     texture->SetInputData(image);
+    ConvertToBytes(texture);
     texture->InterpolateOn();
     texture->MipmapOn();
     vtkNew<vtkTransform> transform;

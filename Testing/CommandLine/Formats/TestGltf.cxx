@@ -7,7 +7,11 @@
 #include "Program.h"
 #include "RenderedImages.h"
 
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkPointData.h"
 
 #include <gtest/gtest.h>
 
@@ -92,6 +96,56 @@ TEST(Gltf, MissingTexturesCauseOneWarning)
     const std::string line = outcome.Errors.substr(file, outcome.Errors.find('\n', file) - file);
     EXPECT_NE(line.find("the texture "), std::string::npos) << line;
     ExpectEqualImages(folder, std::to_string(i), "plain");
+  }
+}
+
+/// Writes an image of 2 x 2 pixels as .png.
+void WriteColors(const std::string& path, int type, int channels)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(type, channels);
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < values->GetNumberOfValues(); ++i)
+  {
+    const double value = 40.0 + 15.0 * static_cast<double>(i);
+    values->SetComponent(i / channels, static_cast<int>(i % channels),
+      type == VTK_UNSIGNED_SHORT ? 257.0 * value + 100.0 : value);
+  }
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(image);
+  writer->Write();
+}
+
+// vtkTexture maps numbers of 16 bits through a lookup table, or takes their lower bytes.
+TEST(Textures, Of16BitsAreThoseOf8Bits)
+{
+  const Folder folder("bits");
+  Document root = MakeSquare();
+  root["images"][0]["uri"] = "color.png";
+  root["textures"][0]["source"] = 0;
+  Document& material = root["materials"][0]["pbrMetallicRoughness"];
+  material["metallicFactor"] = 0.0;
+  material["baseColorTexture"]["index"] = 0;
+  root["meshes"][0]["primitives"][0]["material"] = 0;
+  WriteText(folder / "scene.gltf", root.dump());
+  WriteText(folder / "square.mtl", "newmtl a\nKd 1 1 1\nmap_Kd color.png\n");
+  WriteText(folder / "square.obj",
+    "mtllib square.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\n");
+  for (const int channels : { 1, 3 })
+  {
+    for (const int type : { VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT })
+    {
+      WriteColors(folder / "color.png", type, channels);
+      const std::string image = type == VTK_UNSIGNED_CHAR ? "{name}8.png" : "{name}16.png";
+      const ProgramResult outcome = RunProgram({ "render", folder / "scene.gltf",
+        folder / "square.obj", "--output", folder / image, "--resolution", "40,30" });
+      EXPECT_EQ(outcome.Status, 0);
+      EXPECT_EQ(outcome.Errors, "");
+    }
+    EXPECT_EQ(Compare(folder / "scene8.png", folder / "scene16.png"), 0.0) << channels;
+    EXPECT_EQ(Compare(folder / "square8.png", folder / "square16.png"), 0.0) << channels;
   }
 }
 
