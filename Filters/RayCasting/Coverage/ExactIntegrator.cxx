@@ -369,7 +369,7 @@ void ExactIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::
   }
 }
 
-std::optional<PixelResult> ExactIntegrator::Integrate()
+std::optional<PixelResult> ExactIntegrator::Integrate(bool once)
 {
   long long& pixelCount =
     this->Pixel.CornersAgree() ? this->Pixel.Pixels.SmallObject : this->Pixel.Pixels.Edge;
@@ -383,7 +383,7 @@ std::optional<PixelResult> ExactIntegrator::Integrate()
   for (;;)
   {
     // Intersections of tubes are not computed.
-    if (this->Edges.IsTubeIntersected ||
+    if (this->Edges.IsTubeIntersected || (once && this->Edges.MayIntersect) ||
       !this->Arrangement.Build(
         this->Edges.Segments.data(), static_cast<int>(this->Edges.Segments.size()), limits))
     {
@@ -428,7 +428,7 @@ std::optional<PixelResult> ExactIntegrator::Integrate()
     }
     if (this->Edges.UncoversHiddenEdge(this->MaximumFaceDepth))
     {
-      if (this->Edges.UncoversHiddenShape(this->MaximumFaceDepth))
+      if (once || this->Edges.UncoversHiddenShape(this->MaximumFaceDepth))
       {
         return std::nullopt;
       }

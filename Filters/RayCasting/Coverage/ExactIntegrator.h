@@ -22,8 +22,9 @@ public:
 
   /// Integrates the current pixel, whose edges are loaded. Gives up, without a result, as soon as the
   /// faces cost more than samples of the same accuracy, or their colors cannot be found from few rays:
-  /// at intersections of tubes and on unsteady triangles.
-  std::optional<PixelResult> Integrate();
+  /// at intersections of tubes and on unsteady triangles. With `once`, it also gives up where hidden edges or
+  /// intersections would divide the faces again.
+  std::optional<PixelResult> Integrate(bool once = false);
 
 private:
   /// Positions at which a face is probed by rays, and the result.

@@ -68,7 +68,8 @@ std::optional<PixelResult> PixelIntegrator::Apply(PixelMethod method)
     case PixelMethod::Corners:
       return this->IntegrateCorners();
     case PixelMethod::Exact:
-      return this->Exact.Integrate();
+    case PixelMethod::ExactOnce:
+      return this->Exact.Integrate(method == PixelMethod::ExactOnce);
     case PixelMethod::Refinement:
       return this->Subdivided.Integrate(false);
     case PixelMethod::Texels:

@@ -283,14 +283,13 @@ PixelMethod ChooseSamples(
   }
   if (tile.Rasterizer->SelectPixel(pixel.Position))
   {
-    return tile.RasterizesAll && leastSteady == Steadiness::Steady ? PixelMethod::Triangles
-                                                                   : PixelMethod::Rays;
+    return leastSteady == Steadiness::Steady ? PixelMethod::Triangles : PixelMethod::Rays;
   }
   return HasLayers(pixel, *tile.Rasterizer) ? PixelMethod::Layers : PixelMethod::Rays;
 }
 
-/// Returns true if rasterized samples of a pixel with this number of edges take less time than exact
-/// coverage.
+/// Returns true if rasterized samples of a pixel with this number of edges, hidden ones included, take less time than
+/// exact coverage.
 bool IsRasterized(const PixelContext& pixel, const TileGeometry& tile, std::size_t edges)
 {
   if (!tile.Rasterizer || edges < MinimumLayeredEdges)
@@ -298,9 +297,33 @@ bool IsRasterized(const PixelContext& pixel, const TileGeometry& tile, std::size
     return false;
   }
   const bool isOpaque = tile.Rasterizer->SelectPixel(pixel.Position);
+  const bool hasLines = tile.Rasterizer->HasLines();
   const bool isFull = edges >= MinimumRasterizedEdges && tile.RasterizesAll;
-  return isOpaque ? isFull
-                  : (isFull || tile.Rasterizer->HasLines()) && HasLayers(pixel, *tile.Rasterizer);
+  return isOpaque ? hasLines && edges >= MinimumRasterizedLineEdges
+                  : (isFull || hasLines) && HasLayers(pixel, *tile.Rasterizer);
+}
+
+/// Returns true if the samples of a pixel of opaque surfaces may be rasterized, which takes less time than exact
+/// coverage unless few of its edges are visible.
+bool MayBeRasterized(const PixelContext& pixel, const PixelEdges& edges, const TileGeometry& tile)
+{
+  const std::size_t count = edges.GetNumberOfEdges();
+  const bool isFull = count >= MinimumRasterizedEdges && tile.RasterizesAll;
+  return tile.Rasterizer && (isFull || count >= MinimumLayeredEdges) &&
+    tile.Rasterizer->SelectPixel(pixel.Position) && (isFull || tile.Rasterizer->HasLines());
+}
+
+/// Returns true if exact coverage of such a pixel, whose visible edges are loaded, would take many rays.
+bool HasManyFaces(const PixelEdges& edges)
+{
+  return edges.SearchesAllPixels || edges.GetNumberOfEdges() > MaximumHiddenEdges ||
+    edges.Segments.size() >= MinimumRasterizedEdges;
+}
+
+PixelMethod ChooseExact(
+  const PixelContext& pixel, const PixelEdges& edges, const TileGeometry& tile)
+{
+  return MayBeRasterized(pixel, edges, tile) ? PixelMethod::ExactOnce : PixelMethod::Exact;
 }
 
 /// Chooses the method that replaces one that gave up.
@@ -309,7 +332,7 @@ PixelMethod ChooseReplacement(
 {
   if (gaveUp == PixelMethod::Corners)
   {
-    return !edges.Segments.empty() || edges.IsTubeIntersected ? PixelMethod::Exact
+    return !edges.Segments.empty() || edges.IsTubeIntersected ? ChooseExact(pixel, edges, tile)
                                                               : PixelMethod::Refinement;
   }
   return ChooseSamples(pixel, tile, pixel.LeastSteady);
@@ -365,6 +388,11 @@ PixelMethod ChooseMethod(const PixelContext& pixel, PixelEdges& edges, const Til
     return ChooseSamples(pixel, tile);
   }
   edges.Load(true);
+  const bool isDense = AnyCorner(pixel, [&](const Hit& hit) { return tile.IsDense(hit); });
+  if ((isDense || HasManyFaces(edges)) && MayBeRasterized(pixel, edges, tile))
+  {
+    return ChooseSamples(pixel, tile);
+  }
   const bool hasEdges = !edges.Segments.empty();
   const bool hasTexels = IsTextureDiscontinuous(pixel, hasEdges);
   if (hasTexels && tile.Rasterizer && !tile.Rasterizer->SelectPixel(pixel.Position) &&
@@ -375,7 +403,7 @@ PixelMethod ChooseMethod(const PixelContext& pixel, PixelEdges& edges, const Til
   const bool isCrowded = edges.Segments.size() > MaximumEdgesInCrowdedTile;
   const bool isUnknown =
     (settings.Shadows && hasEdges) || pixel.IsNearShadowBoundary() || hasTexels;
-  if (isUnknown || AnyCorner(pixel, [&](const Hit& hit) { return tile.IsDense(hit); }))
+  if (isUnknown || isDense)
   {
     // Hidden spheres and tubes may emerge from a dense surface between the corners.
     return isCrowded                       ? ChooseSamples(pixel, tile)
@@ -386,8 +414,9 @@ PixelMethod ChooseMethod(const PixelContext& pixel, PixelEdges& edges, const Til
   {
     return ChooseSamples(pixel, tile);
   }
-  return !hasEdges || (!settings.FindSmallObjects && pixel.CornersAgree()) ? PixelMethod::Corners
-                                                                           : PixelMethod::Exact;
+  return !hasEdges || (!settings.FindSmallObjects && pixel.CornersAgree())
+    ? PixelMethod::Corners
+    : ChooseExact(pixel, edges, tile);
 }
 
 }

@@ -16,13 +16,14 @@ namespace penumbra
 /// Cases are those of [AA], see Documentation/methods/Antialiasing.md.
 enum class PixelMethod
 {
-  Uniform,      ///< a regular grid of rays
-  Subdivision,  ///< [AA]: subdivided between objects
-  Corners,      ///< cases 1 and 2: the mean of the corners, or the background
-  Exact,        ///< cases 3 and 4: the areas of the faces between the edges
-  Refinement,   ///< subdivided until the tolerance is met
-  Texels,       ///< the areas of the texels of one triangle
-  Faces,        ///< estimated from a ray per face, sampled only if the tile requires it
+  Uniform,     ///< a regular grid of rays
+  Subdivision, ///< [AA]: subdivided between objects
+  Corners,     ///< cases 1 and 2: the mean of the corners, or the background
+  Exact,       ///< cases 3 and 4: the areas of the faces between the edges
+  ExactOnce,   ///< the same, which gives up if hidden edges or intersections divide the faces again
+  Refinement,  ///< subdivided until the tolerance is met
+  Texels,      ///< the areas of the texels of one triangle
+  Faces,       ///< estimated from a ray per face, sampled only if the tile requires it
   SampledFaces, ///< the same, sampled at once
   Rays,         ///< traced samples
   LitRays,      ///< traced samples with light of their own

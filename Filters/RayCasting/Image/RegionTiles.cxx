@@ -97,8 +97,7 @@ std::vector<char> SelectRasterizedTiles(
     const auto any = [&](const auto& test) {
       return std::any_of(scene.Surfaces.begin(), scene.Surfaces.end(), test);
     };
-    const bool hasLines = any([](const Surface& surface) { return surface.IsLineOrPoint; }) &&
-      any([](const Surface& surface) { return surface.IsTranslucent() || surface.HidesLines; });
+    const bool hasLines = any([](const Surface& surface) { return surface.IsLineOrPoint; });
     const bool hasTextures =
       any([](const Surface& surface) { return surface.LitTexture != nullptr; });
     const std::size_t minimum = hasTextures ? 0

@@ -8,12 +8,15 @@
 
 #include "BruteForce/StratifiedReference.h"
 #include "Scenes/AccuracyScenes.h"
+#include "Scenes/Adversaries.h"
 #include "Scenes/TestScene.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
 #include "vtkPoints.h"
@@ -22,6 +25,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -93,6 +97,20 @@ vtkSmartPointer<vtkPolyData> MakePlane(int resolution, double z)
   return plane->GetOutput();
 }
 
+/// Colors the cells of a mesh with gray values in [0, 255].
+template <typename Gray>
+void ColorCells(vtkPolyData* mesh, const Gray& gray)
+{
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    const auto value = static_cast<double>(gray(i));
+    colors->InsertNextTuple3(value, value, value);
+  }
+  mesh->GetCellData()->SetScalars(colors);
+}
+
 /// Expects that no tile has an error above the tolerance and a smaller estimate.
 void ExpectAccurateTiles(vtkRenderer* renderer, int side)
 {
@@ -103,6 +121,51 @@ void ExpectAccurateTiles(vtkRenderer* renderer, int side)
   }
 }
 
+}
+
+// A pixel with one visible edge has a closed form. Counting the hidden ones, it would be sampled.
+TEST(HiddenEdges, KeepVisibleOnesExact)
+{
+  constexpr double Edge = 20.3706; // x at which the cells in front meet
+  vtkSmartPointer<vtkPolyData> front = MakePlane(1, 1.0);
+  vtkNew<vtkPoints> points;
+  for (const double x : { 0.0, Edge, static_cast<double>(Size) })
+  {
+    points->InsertNextPoint(x, 0.0, 1.0);
+    points->InsertNextPoint(x, Size, 1.0);
+  }
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType i = 0; i < 4; i += 2)
+  {
+    const vtkIdType corners[4] = { i, i + 2, i + 3, i + 1 };
+    cells->InsertNextCell(4, corners);
+  }
+  front->Initialize();
+  front->SetPoints(points);
+  front->SetPolys(cells);
+  ColorCells(front, [](vtkIdType i) { return i == 0 ? 255 : 51; });
+  constexpr int Resolution = 50; // of the cells behind, whose colors alternate
+  const vtkSmartPointer<vtkPolyData> back = MakePlane(Resolution, 0.0);
+  ColorCells(back, [](vtkIdType i) { return (i + i / Resolution) % 2 * 255; });
+  const vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+  AddMesh(renderer, front, false)->GetMapper()->ScalarVisibilityOn();
+  AddMesh(renderer, back, false)->GetMapper()->ScalarVisibilityOn();
+  LookAtImage(renderer, Size, Size);
+  const Answer answer = Cast(renderer, Size, Size);
+  for (int i = 0; i < Size * Size; ++i)
+  {
+    const double covered = std::clamp(Edge - i % Size, 0.0, 1.0);
+    EXPECT_NEAR(answer.Colors[i].x, 0.2 + 0.8 * covered, 1e-5) << i;
+  }
+}
+
+// Exact coverage of these crossing lines takes 6.0 rays per pixel.
+TEST(OpaqueLines, NeedFewRaysWithinTheTolerance)
+{
+  const vtkSmartPointer<vtkRenderer> renderer =
+    NewAdversaryRenderer(FindAdversary("Hair")->Make(200), 1.0);
+  EXPECT_LE(Cast(renderer, Size, Size).RaysPerPixel, 2.0);
+  ExpectAccurateTiles(renderer, 16);
 }
 
 TEST(DenseSurfaces, HaveExactOutlines)
