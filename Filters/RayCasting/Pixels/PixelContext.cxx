@@ -47,7 +47,7 @@ void PixelContext::Load(glm::ivec2 pixel)
   float penumbraNoise = 0.f;
   for (int i = 0; i < 4; ++i)
   {
-    this->Corners[i] = this->Grid.At(pixel.x + (i & 1), pixel.y + (i >> 1));
+    this->Grid.Load(pixel.x + (i & 1), pixel.y + (i >> 1), this->Corners[i]);
     this->MediumError = std::max(this->MediumError, this->Corners[i].Error);
     penumbraNoise = std::max(penumbraNoise, this->Corners[i].Noise);
   }

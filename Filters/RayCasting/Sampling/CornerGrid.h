@@ -59,7 +59,14 @@ public:
 
   /// Returns the sample at image point (x, y), for x in [low.x, high.x] and y in [low.y, high.y].
   /// It lacks the lights that rays reached, and what continues the ray behind its first hit.
-  Sample At(int x, int y) const { return this->Corners[this->Index(x, y)].GetSample(); }
+  Sample At(int x, int y) const
+  {
+    Sample sample;
+    this->Load(x, y, sample);
+    return sample;
+  }
+  /// Stores what At() returns in `sample`.
+  void Load(int x, int y, Sample& sample) const { this->Corners[this->Index(x, y)].CopyTo(sample); }
 
   glm::ivec2 GetLow() const { return this->Low; }
   glm::ivec2 GetHigh() const { return this->High; }
@@ -87,19 +94,23 @@ private:
     {
     }
 
-    Sample GetSample() const
+    // Each value is stored once: reading a sample that was just stored by values waits for them.
+    void CopyTo(Sample& sample) const
     {
-      Sample sample;
       sample.Color = this->Color;
       sample.FirstHit.Surface = this->Surface;
       sample.FirstHit.Primitive = this->Primitive;
       sample.FirstHit.U = this->U;
       sample.FirstHit.V = this->V;
       sample.FirstHit.Distance = this->Distance;
+      sample.FirstHit.NextNear = std::numeric_limits<float>::infinity();
+      sample.FirstHit.CoincidentNear = 0.f;
+      sample.FirstHit.NextInOrder = 0;
       sample.OpaqueDepth = this->OpaqueDepth;
       sample.Error = this->Error;
       sample.Noise = this->Noise;
-      return sample;
+      sample.LitBy = 0;
+      sample.ShadowedFrom = 0;
     }
   };
 
