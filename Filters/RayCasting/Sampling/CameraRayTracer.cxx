@@ -79,7 +79,7 @@ bool CameraRayTracer::HasBackgroundImage() const
   return background.Image != nullptr || background.Surroundings != nullptr;
 }
 
-glm::vec4 CameraRayTracer::GetBackground(glm::dvec2 p) const
+glm::vec4 CameraRayTracer::GetBackground(const glm::dvec2& p) const
 {
   glm::vec4 c = this->SurfaceShading.Background(p);
   return { c.r * c.a, c.g * c.a, c.b * c.a, c.a };
@@ -130,7 +130,7 @@ void CameraRayTracer::AddMedium(const Ray& ray, double from, double to, bool sca
   tint *= most > 0.f ? through / most : glm::vec3(1.f);
 }
 
-void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& sample,
+void CameraRayTracer::CompositeLayers(const glm::dvec2& p, const Ray& ray, Sample& sample,
   RayCounts& counts, double toleranceScale, std::uint32_t penumbrae,
   std::vector<PenumbraNeighbors>* neighbors, std::vector<LitLayer>* layers) const
 {

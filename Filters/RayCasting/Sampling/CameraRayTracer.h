@@ -135,7 +135,7 @@ public:
   Ray MakeRay(glm::dvec2 p) const;
 
   /// Returns the background at image point p, premultiplied by alpha.
-  glm::vec4 GetBackground(glm::dvec2 p) const;
+  glm::vec4 GetBackground(const glm::dvec2& p) const;
 
   /// Returns true if the background is an image, which is not linear inside a pixel.
   bool HasBackgroundImage() const;
@@ -162,7 +162,7 @@ private:
   /// Adds a segment of the medium, with the light that it scatters if `scatters`.
   void AddMedium(const Ray& ray, double from, double to, bool scatters, Sample& sample,
     glm::vec3& tint, RayCounts& counts) const;
-  void CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts,
+  void CompositeLayers(const glm::dvec2& p, const Ray& ray, Sample& sample, RayCounts& counts,
     double toleranceScale, std::uint32_t penumbrae, std::vector<PenumbraNeighbors>* neighbors,
     std::vector<LitLayer>* layers = nullptr) const;
   /// Traces the first hits of a packet.

@@ -463,7 +463,7 @@ float Shading::ComputeOpacity(const RayScene& rays, const Hit& hit, const Ray& r
   return std::min(MultiplyOpacity(surface, hit, opacity), 1.f);
 }
 
-glm::vec4 Shading::Background(glm::dvec2 p) const
+glm::vec4 Shading::Background(const glm::dvec2& p) const
 {
   return SampleBackground(this->Rays.GetScene(), p);
 }

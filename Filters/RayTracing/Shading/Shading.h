@@ -100,7 +100,7 @@ public:
   const RayScene& GetRays() const { return this->Rays; }
 
   /// Returns the background at image point p, as non-premultiplied RGBA.
-  glm::vec4 Background(glm::dvec2 p) const;
+  glm::vec4 Background(const glm::dvec2& p) const;
 
   /// Returns true if the color is constant over each triangle (flat shading, directional lights, no
   /// highlight, no texture, no shadow), so that one sample per triangle suffices.

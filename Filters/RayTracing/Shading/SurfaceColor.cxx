@@ -148,7 +148,7 @@ glm::vec4 SampleSky(const Sky& sky, glm::dvec3 direction)
     : color;
 }
 
-glm::vec4 SampleBackground(const Scene& scene, glm::dvec2 p)
+glm::vec4 SampleBackground(const Scene& scene, const glm::dvec2& p)
 {
   const Background& background = scene.BackgroundColors;
   const Camera& camera = scene.ViewCamera;

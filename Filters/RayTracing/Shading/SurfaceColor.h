@@ -45,7 +45,7 @@ float MultiplyOpacity(const Surface& surface, const Hit& hit, float opacity);
 glm::vec4 SampleSky(const Sky& sky, glm::dvec3 direction);
 
 /// Returns the background at image point p, as non-premultiplied RGBA.
-glm::vec4 SampleBackground(const Scene& scene, glm::dvec2 p);
+glm::vec4 SampleBackground(const Scene& scene, const glm::dvec2& p);
 
 /// Returns true if the color of the surface is mapped from its data.
 bool HasMappedColor(const Surface& surface);
