@@ -297,10 +297,13 @@ bool IsRasterized(const PixelContext& pixel, const TileGeometry& tile, std::size
     return false;
   }
   const bool isOpaque = tile.Rasterizer->SelectPixel(pixel.Position);
-  const bool hasLines = tile.Rasterizer->HasLines();
   const bool isFull = edges >= MinimumRasterizedEdges && tile.RasterizesAll;
-  return isOpaque ? hasLines && edges >= MinimumRasterizedLineEdges
-                  : (isFull || hasLines) && HasLayers(pixel, *tile.Rasterizer);
+  if (isOpaque)
+  {
+    return (isFull && edges > MaximumHiddenEdges) ||
+      (edges >= MinimumRasterizedLineEdges && tile.Rasterizer->HasLines());
+  }
+  return (isFull || tile.Rasterizer->HasLines()) && HasLayers(pixel, *tile.Rasterizer);
 }
 
 /// Returns true if the samples of a pixel of opaque surfaces may be rasterized, which takes less time than exact
@@ -316,8 +319,7 @@ bool MayBeRasterized(const PixelContext& pixel, const PixelEdges& edges, const T
 /// Returns true if exact coverage of such a pixel, whose visible edges are loaded, would take many rays.
 bool HasManyFaces(const PixelEdges& edges)
 {
-  return edges.SearchesAllPixels || edges.GetNumberOfEdges() > MaximumHiddenEdges ||
-    edges.Segments.size() >= MinimumRasterizedEdges;
+  return edges.SearchesAllPixels || edges.Segments.size() >= MinimumRasterizedEdges;
 }
 
 PixelMethod ChooseExact(
