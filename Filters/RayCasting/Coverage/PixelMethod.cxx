@@ -290,8 +290,9 @@ PixelMethod ChooseSamples(
 
 /// Returns true if rasterized samples of a pixel with this number of edges, hidden ones included, take less time than
 /// exact coverage.
-bool IsRasterized(const PixelContext& pixel, const TileGeometry& tile, std::size_t edges)
+bool IsRasterized(const PixelContext& pixel, const PixelEdges& pixelEdges, const TileGeometry& tile)
 {
+  const std::size_t edges = pixelEdges.GetNumberOfEdges();
   if (!tile.Rasterizer || edges < MinimumLayeredEdges)
   {
     return false;
@@ -301,7 +302,8 @@ bool IsRasterized(const PixelContext& pixel, const TileGeometry& tile, std::size
   if (isOpaque)
   {
     return (isFull && edges > MaximumHiddenEdges) ||
-      (edges >= MinimumRasterizedLineEdges && tile.Rasterizer->HasLines());
+      (edges >= MinimumRasterizedLineEdges && tile.Rasterizer->HasLines() &&
+        !pixelEdges.AreConnected());
   }
   return (isFull || tile.Rasterizer->HasLines()) && HasLayers(pixel, *tile.Rasterizer);
 }
@@ -385,7 +387,7 @@ PixelMethod ChooseMethod(const PixelContext& pixel, PixelEdges& edges, const Til
   }
   // The pole of a sphere or the center of a fan: too many edges to arrange.
   if (tile.AreEdgesLeftOut || edges.GetNumberOfEdges() > MaximumEdges ||
-    IsRasterized(pixel, tile, edges.GetNumberOfEdges()))
+    IsRasterized(pixel, edges, tile))
   {
     return ChooseSamples(pixel, tile);
   }

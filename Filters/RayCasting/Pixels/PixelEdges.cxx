@@ -8,6 +8,7 @@
 #include "Surface.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace penumbra
@@ -42,6 +43,35 @@ void PixelEdges::Begin()
   this->MayIntersect = false;
   this->IsTubeIntersected = false;
   this->HasRoundShapes = false;
+}
+
+bool PixelEdges::AreConnected() const
+{
+  // A point has the most edges of a single shape. Its corners are projected to equal points for both of their edges.
+  constexpr std::size_t EdgesOfPoint = 4;
+  if (this->List.Count == 0 || this->List.Count > EdgesOfPoint)
+  {
+    return false;
+  }
+  const auto edgeOf = [&](std::size_t i) -> const ProjectedEdge& {
+    return this->Tile.Edges[this->List.Edges[i]];
+  };
+  std::array<bool, EdgesOfPoint> reached{ true };
+  for (std::size_t pass = 1; pass < this->List.Count; ++pass)
+  {
+    for (std::size_t i = 0; i < this->List.Count; ++i)
+    {
+      for (std::size_t j = 0; j < this->List.Count; ++j)
+      {
+        const ProjectedEdge& a = edgeOf(i);
+        const ProjectedEdge& b = edgeOf(j);
+        reached[j] =
+          reached[j] || (reached[i] && (a.A == b.A || a.A == b.B || a.B == b.A || a.B == b.B));
+      }
+    }
+  }
+  return std::all_of(
+    reached.begin(), reached.begin() + this->List.Count, [](bool is) { return is; });
 }
 
 void PixelEdges::Load(bool cull)

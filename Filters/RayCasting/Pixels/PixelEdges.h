@@ -32,6 +32,9 @@ public:
   /// Returns the number of projected edges that cross the pixel, hidden ones included.
   std::size_t GetNumberOfEdges() const { return this->List.Count; }
 
+  /// Returns whether these edges form one chain, as those of a single point or of the end of a line do.
+  bool AreConnected() const;
+
   /// Loads the segments of the projected edges. If `cull` is on, edges behind the opaque surfaces at
   /// all four corners are left out. Corners near an edge are no longer trusted.
   void Load(bool cull);
