@@ -32,6 +32,13 @@ vtkSmartPointer<vtkImageData> ReadHdr(const std::string& path)
   if (readable)
   {
     reader->SetFileName(path.c_str());
+    reader->UpdateInformation();
+    const int* extent = reader->GetDataExtent();
+    if (extent[0] > extent[1] || extent[2] > extent[3])
+    {
+      throw CommandError(
+        BadInput, "--hdri-file: " + path + ": the image has no pixels; export it again");
+    }
     reader->Update();
   }
   const std::vector<std::string> errors = TakeErrors();

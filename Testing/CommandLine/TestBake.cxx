@@ -335,7 +335,8 @@ TEST(Bake, RejectsInvalidEnvironmentImages)
   const std::string bytes{ std::istreambuf_iterator<char>(whole), {} };
   std::ofstream(folder / "cut.hdr", std::ios::binary) << bytes.substr(0, bytes.size() - 20);
   std::ofstream(folder / "text.hdr") << "no image";
-  for (const char* name : { "none.hdr", "cut.hdr", "text.hdr", "sphere.vtp" })
+  std::ofstream(folder / "empty.hdr") << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 0 +X 4\n";
+  for (const char* name : { "none.hdr", "cut.hdr", "text.hdr", "empty.hdr", "sphere.vtp" })
   {
     const ProgramResult outcome = RunProgram({ "bake", folder / "sphere.vtp", "--output",
       folder / "baked.vtp", "--quantity", "irradiance", "--hdri-file", folder / name });
