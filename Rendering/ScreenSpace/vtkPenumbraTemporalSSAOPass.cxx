@@ -77,6 +77,27 @@ int ChooseMargin(double needed, double largest, int last)
     : static_cast<int>(std::ceil(needed));
 }
 
+/// Index of an image of a renderer: 0 without stereo, 1 and 2 for the right and the left eye.
+int EyeOf(vtkRenderer* renderer)
+{
+  return renderer->GetRenderWindow()->GetStereoRender()
+    ? 1 + renderer->GetActiveCamera()->GetLeftEye()
+    : 0;
+}
+
+/// Indices of the images that a frame of the window renders of each renderer.
+std::vector<int> EyesOf(vtkRenderWindow* window)
+{
+  if (!window->GetStereoRender())
+  {
+    return { 0 };
+  }
+  const int type = window->GetStereoType();
+  return type == VTK_STEREO_LEFT ? std::vector<int>{ 2 }
+    : type == VTK_STEREO_RIGHT   ? std::vector<int>{ 1 }
+                                 : std::vector<int>{ 1, 2 };
+}
+
 }
 
 struct vtkPenumbraTemporalSSAOPass::Internals
@@ -115,12 +136,14 @@ struct vtkPenumbraTemporalSSAOPass::Internals
   /// Continues the image of a renderer, in stereo of both eyes. Returns true if a frame is needed.
   bool RefineBetweenFrames(vtkRenderer* renderer, double seconds);
 
-  /// Returns whether a renderer has converged; in stereo, both of its eyes.
-  bool IsConverged(vtkRenderer* renderer, int eye)
+  /// Returns whether all images of a renderer have converged, as far as there are any.
+  bool IsConverged(vtkRenderer* renderer)
   {
-    const RendererState* const state = this->Renderers.Find(renderer, eye);
-    const RendererState* const other = this->Renderers.Find(renderer, eye > 0 ? 3 - eye : 0);
-    return state && state->View.IsConverged() && (!other || other->View.IsConverged());
+    const std::vector<int> eyes = EyesOf(renderer->GetRenderWindow());
+    return std::all_of(eyes.begin(), eyes.end(), [&](int eye) {
+      const RendererState* const state = this->Renderers.Find(renderer, eye);
+      return !state || state->View.IsConverged();
+    });
   }
 
   /// Returns a text that differs between estimators, and between settings of an estimator.
@@ -131,9 +154,12 @@ bool vtkPenumbraTemporalSSAOPass::Internals::RefineBetweenFrames(
   vtkRenderer* renderer, double seconds)
 {
   auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const bool isStereo = window && window->GetStereoRender();
+  if (!window)
+  {
+    return true;
+  }
   std::vector<RendererState*> eyes;
-  for (int eye = isStereo ? 1 : 0; eye <= (isStereo ? 2 : 0); ++eye)
+  for (const int eye : EyesOf(window))
   {
     RendererState* const state = this->Renderers.Find(renderer, eye);
     if (state && state->Used && !state->View.IsConverged())
@@ -149,7 +175,7 @@ bool vtkPenumbraTemporalSSAOPass::Internals::RefineBetweenFrames(
   {
     return eyes.front()->Used->RefineBetweenFrames(renderer, seconds);
   }
-  if (!window || seconds <= 0.0)
+  if (seconds <= 0.0)
   {
     return true;
   }
@@ -283,8 +309,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   settings.UseActorMotion = constants.UseActorMotion && this->OpaqueOnly;
   // After compositing of several ranks it is unknown which props moved.
   const PropTimes props = FindPropTimes(renderer);
-  const int eye = window->GetStereoRender() ? 1 + renderer->GetActiveCamera()->GetLeftEye() : 0;
-  Internals::RendererState& rendererState = internals.Renderers.Get(renderer, eye);
+  Internals::RendererState& rendererState = internals.Renderers.Get(renderer, EyeOf(renderer));
   settings.SceneChanged = !this->OpaqueOnly || props != rendererState.Props;
   settings.PropsChanged = !HaveSameProps(props, rendererState.Props);
   vtkPenumbraOcclusionEstimator* estimator =
@@ -325,7 +350,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   rendererState.Props = FindPropTimes(renderer);
   this->NumberOfRenderedProps = internals.Last->GetNumberOfRenderedProps();
   const bool unfinished =
-    this->RefineStaticView && !settings.InOneRender && !internals.IsConverged(renderer, eye);
+    this->RefineStaticView && !settings.InOneRender && !internals.IsConverged(renderer);
   // Another estimator may need another margin, which is no change of the scene.
   const bool changed = internals.Last->HasChanged() && !settings.EstimatorChanged;
   internals.Refiner.RecordFrame(renderer, unfinished, changed);

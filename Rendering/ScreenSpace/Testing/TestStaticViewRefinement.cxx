@@ -123,6 +123,23 @@ TEST_F(StaticViewRefinement, AddsSamplesBetweenFramesOfBothEyes)
   EXPECT_TRUE(this->Interactor->Timers.empty());
 }
 
+TEST_F(StaticViewRefinement, EndsIfOnlyOneEyeOfTwoUnfinishedOnesIsStillRendered)
+{
+  for (const int type : { VTK_STEREO_LEFT, VTK_STEREO_RIGHT })
+  {
+    TakeShortFrames(this->Scene);
+    this->Scene.Renderer->GetActiveCamera()->Azimuth(1.0);
+    this->Scene.Window->SetStereoTypeToAnaglyph();
+    this->Scene.Window->StereoRenderOn();
+    this->FramesAfter(6);
+    EXPECT_FALSE(this->Scene.Pass->IsConverged());
+    this->Scene.Window->SetStereoType(type);
+    EXPECT_LE(this->FramesAfter(1000), 8);
+    EXPECT_TRUE(this->Scene.Pass->IsConverged());
+    EXPECT_TRUE(this->Interactor->Timers.empty());
+  }
+}
+
 TEST_F(StaticViewRefinement, DropsSamplesBetweenFramesWhenTheSceneChanges)
 {
   TakeShortFrames(this->Scene);
