@@ -3,11 +3,15 @@
 #include "StaticViewRefiner.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
 #include "vtkNew.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
+
+#include <algorithm>
 
 namespace penumbra
 {
@@ -25,6 +29,60 @@ constexpr int QuietTicks = 5;
 /// Update rate above which frames are interactive, per second. VTK's interactor styles and ParaView
 /// set 5 to 15 during interaction and at most 0.002 afterwards.
 constexpr double InteractiveUpdateRate = 1.0;
+
+/// A frame that a refiner renders, of which those of other passes in the window need to know.
+struct RequestedFrame
+{
+  vtkRenderWindow* Window;
+  bool ChangedBefore; ///< the scene changed between the last frame and this one
+};
+thread_local const RequestedFrame* Requested = nullptr;
+
+/// Returns whether a refiner is rendering the window.
+bool IsRequested(vtkRenderWindow* window)
+{
+  return Requested && Requested->Window == window;
+}
+
+/// Sets Requested until the end of the scope.
+class RequestScope
+{
+public:
+  explicit RequestScope(const RequestedFrame& frame)
+    : Outer(std::exchange(Requested, &frame))
+  {
+  }
+  ~RequestScope() { Requested = this->Outer; }
+  RequestScope(const RequestScope&) = delete;
+  RequestScope& operator=(const RequestScope&) = delete;
+
+private:
+  const RequestedFrame* Outer;
+};
+
+/// Returns the time of the last change of a prop, a camera or a renderer of the window.
+vtkMTimeType FindSceneTime(vtkRenderWindow* window)
+{
+  vtkMTimeType time = window->GetRenderers()->GetMTime();
+  vtkCollectionSimpleIterator at;
+  window->GetRenderers()->InitTraversal(at);
+  while (vtkRenderer* renderer = window->GetRenderers()->GetNextRenderer(at))
+  {
+    vtkPropCollection* props = renderer->GetViewProps();
+    time = std::max({ time, renderer->GetMTime(), props->GetMTime() });
+    if (renderer->IsActiveCameraCreated())
+    {
+      time = std::max(time, renderer->GetActiveCamera()->GetMTime());
+    }
+    vtkCollectionSimpleIterator position;
+    props->InitTraversal(position);
+    while (vtkProp* prop = props->GetNextProp(position))
+    {
+      time = std::max(time, prop->GetVisibility() ? prop->GetRedrawMTime() : prop->GetMTime());
+    }
+  }
+  return time;
+}
 
 }
 
@@ -46,17 +104,25 @@ void StaticViewRefiner::RecordFrame(vtkRenderer* renderer, bool unfinished, bool
   {
     this->Stop();
   }
-  if (!unfinished || !interactor || IsInteractive(window) || (this->Rendering && changed))
+  const bool isRequested = IsRequested(window);
+  const bool hasChanged = isRequested && changed;
+  const bool changesAlways =
+    hasChanged && (!Requested->ChangedBefore || this->Changed.count(renderer) > 0);
+  this->Changed.erase(renderer);
+  if (!unfinished || !interactor || IsInteractive(window) || changesAlways)
   {
     this->Unfinished.erase(renderer);
     return;
   }
   this->Unfinished.insert(renderer);
-  if (!this->Rendering)
+  if (hasChanged)
   {
-    this->TicksToWait = QuietTicks;
-    this->Start(interactor);
+    this->Changed.insert(renderer);
   }
+  this->SceneTime = FindSceneTime(window);
+  // One frame for all passes of the window.
+  this->TicksToWait = isRequested ? std::max(this->TicksToWait, 1) : QuietTicks;
+  this->Start(interactor);
 }
 
 void StaticViewRefiner::Start(vtkRenderWindowInteractor* interactor)
@@ -99,12 +165,23 @@ void StaticViewRefiner::Tick()
   {
     --this->TicksToWait;
   }
-  else if (!this->Rendering && !window->CheckInRenderStatus() && this->HasNewImage())
+  else if (!IsRequested(window) && !window->CheckInRenderStatus() && this->HasNewImage())
   {
-    this->Unfinished.clear(); // Renderers that were removed render no more frames.
-    this->Rendering = true;
-    interactor->Render();
-    this->Rendering = false;
+    this->RequestFrame(window);
+  }
+}
+
+void StaticViewRefiner::RequestFrame(vtkRenderWindow* window)
+{
+  const RequestedFrame frame = { window, FindSceneTime(window) != this->SceneTime };
+  const RequestScope scope(frame);
+  const std::weak_ptr<bool> alive = this->Alive;
+  this->Unfinished.clear(); // Renderers that were removed render no more frames.
+  this->Interactor->Render();
+  // Observers of the frame may have removed the pass.
+  if (!alive.expired())
+  {
+    this->TicksToWait = 0;
     if (this->Unfinished.empty())
     {
       this->Stop();
@@ -140,6 +217,7 @@ void StaticViewRefiner::Stop()
   this->Interactor = nullptr;
   this->TimerId = 0;
   this->Unfinished.clear();
+  this->Changed.clear();
 }
 
 }

@@ -8,9 +8,11 @@
 #define penumbra_StaticViewRefiner_h
 
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
+#include "vtkType.h"
 #include "vtkWeakPointer.h"
 
 #include <functional>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -39,8 +41,9 @@ public:
   StaticViewRefiner(const StaticViewRefiner&) = delete;
   void operator=(const StaticViewRefiner&) = delete;
 
-  /// Call this after every frame of a renderer. Requests further frames if `unfinished` is true,
-  /// but not if the scene `changed` in a frame requested here: it then changes in every frame.
+  /// Call this after every frame of a renderer. Requests further frames if `unfinished` is true, but not if
+  /// the scene `changed` during a frame that a refiner requested, or before two of them in succession: it then
+  /// changes in every frame.
   void RecordFrame(vtkRenderer* renderer, bool unfinished, bool changed);
 
   /// Destroys the timer.
@@ -50,16 +53,18 @@ private:
   static void OnTimer(vtkObject*, unsigned long, void* self, void* timerId);
   void Start(vtkRenderWindowInteractor* interactor);
   void Tick();
-
+  void RequestFrame(vtkRenderWindow* window);
   bool HasNewImage() const;
 
   std::function<bool(vtkRenderer*)> Advance;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   std::set<vtkRenderer*> Unfinished; ///< renderers whose last frame requested another one
+  std::set<vtkRenderer*> Changed;    ///< renderers whose last frame was requested and changed
+  vtkMTimeType SceneTime = 0;        ///< of the window after the last frame
   unsigned long ObserverTag = 0;
   int TimerId = 0;
   int TicksToWait = 0;
-  bool Rendering = false; ///< the current frame was rendered by Tick()
+  std::shared_ptr<bool> Alive = std::make_shared<bool>(true); ///< expires in the destructor
 };
 
 }

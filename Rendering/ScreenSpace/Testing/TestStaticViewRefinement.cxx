@@ -192,6 +192,77 @@ TEST_F(StaticViewRefinement, StopsIfTheSceneChangesInEveryFrame)
   EXPECT_EQ(1, this->FramesAfter(100));
 }
 
+TEST_F(StaticViewRefinement, StopsIfTheSceneChangesAfterEveryFrame)
+{
+  vtkActor* actor = this->Scene.AddSphere({ 1, 0, 0.5 }, 0.3);
+  vtkNew<vtkCallbackCommand> mover;
+  mover->SetClientData(actor);
+  mover->SetCallback([](vtkObject*, unsigned long, void* moved, void*) {
+    static_cast<vtkActor*>(moved)->AddPosition(0.01, 0.0, 0.0);
+  });
+  this->Scene.Window->AddObserver(vtkCommand::EndEvent, mover);
+  EXPECT_GE(2, this->FramesAfter(100));
+  EXPECT_TRUE(this->Interactor->Timers.empty());
+}
+
+TEST_F(StaticViewRefinement, StopsIfTheScenesOfTwoPassesChangeInEveryFrame)
+{
+  this->Scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  vtkNew<vtkRenderer> second;
+  second->SetViewport(0.5, 0.0, 1.0, 1.0);
+  this->Scene.Window->AddRenderer(second);
+  Pass::AddTo(second)->SetConvergeInOneRender(Pass::NEVER);
+  vtkSmartPointer<vtkActor> actor = this->Scene.AddSphere({ 1, 0, 0.5 }, 0.3);
+  second->AddViewProp(actor);
+  vtkNew<vtkCallbackCommand> mover;
+  mover->SetClientData(actor);
+  mover->SetCallback([](vtkObject*, unsigned long, void* moved, void*) {
+    static_cast<vtkActor*>(moved)->AddPosition(0.01, 0.0, 0.0);
+  });
+  this->Scene.Window->AddObserver(vtkCommand::StartEvent, mover);
+  EXPECT_GE(2, this->FramesAfter(100));
+  EXPECT_TRUE(this->Interactor->Timers.empty());
+}
+
+TEST_F(StaticViewRefinement, ConvergesAfterAChangeWithoutAFrame)
+{
+  vtkSmartPointer<vtkActor> actor = this->Scene.AddSphere({ 1, 0, 0.5 }, 0.4);
+  for (const bool takesShortFrames : { false, true })
+  {
+    if (takesShortFrames)
+    {
+      TakeShortFrames(this->Scene);
+    }
+    actor->VisibilityOn();
+    this->FramesAfter(8);
+    EXPECT_FALSE(this->Scene.Pass->IsConverged());
+    actor->VisibilityOff();
+    this->Interactor->Tick(1000);
+    EXPECT_TRUE(this->Scene.Pass->IsConverged());
+    EXPECT_TRUE(this->Interactor->Timers.empty());
+    OcclusionScene other;
+    Build(other);
+    other.Pass->SetConvergeInOneRender(Pass::ALWAYS);
+    other.Window->Render();
+    EXPECT_LT(Rms(other.Array("AmbientOcclusion"), this->Scene.Array("AmbientOcclusion")), 0.01);
+  }
+}
+
+TEST_F(StaticViewRefinement, AllowsThatAnObserverOfAFrameRemovesThePass)
+{
+  this->FramesAfter(6);
+  vtkNew<vtkCallbackCommand> remover;
+  remover->SetClientData(this->Scene.Renderer);
+  remover->SetCallback([](vtkObject*, unsigned long, void* renderer, void*) {
+    Pass::RemoveFrom(static_cast<vtkRenderer*>(renderer));
+  });
+  this->Scene.Window->AddObserver(vtkCommand::EndEvent, remover);
+  this->Frames = 0;
+  this->Interactor->Tick(100);
+  EXPECT_EQ(1, this->Frames);
+  EXPECT_TRUE(this->Interactor->Timers.empty());
+}
+
 TEST_F(StaticViewRefinement, StopsWithThePass)
 {
   this->Scene.Pass->RefineStaticViewOff();
