@@ -190,6 +190,28 @@ bool HaveZeroArea(vtkPoints* points, vtkCellArray* cells, bool areStrips, double
   return true;
 }
 
+/// Returns whether the points of each line coincide.
+bool HaveZeroLength(vtkPoints* points, vtkCellArray* lines)
+{
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
+  {
+    lines->GetCellAtId(line, ids);
+    for (vtkIdType i = 1; i < ids->GetNumberOfIds(); ++i)
+    {
+      double first[3];
+      double other[3];
+      points->GetPoint(ids->GetId(0), first);
+      points->GetPoint(ids->GetId(i), other);
+      if (!std::equal(first, first + 3, other))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 }
 
 std::string FindInconsistency(vtkDataSet* data)
@@ -225,8 +247,7 @@ std::string FindInconsistency(vtkDataSet* data)
 
 bool HasOnlyZeroArea(vtkPolyData* mesh)
 {
-  const vtkIdType faces = mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips();
-  if (faces == 0 || faces < mesh->GetNumberOfCells() ||
+  if (mesh->GetNumberOfCells() == 0 || mesh->GetNumberOfVerts() > 0 ||
     mesh->GetCellData()->HasArray(CurvedFaceIds))
   {
     return false;
@@ -242,7 +263,8 @@ bool HasOnlyZeroArea(vtkPolyData* mesh)
   const bool isFloat = points->GetDataType() == VTK_FLOAT;
   // Each coordinate is off by half a unit in the last place.
   const double rounding = 2.0 * largest * (isFloat ? FLT_EPSILON : DBL_EPSILON);
-  return HaveZeroArea(points, mesh->GetPolys(), false, rounding) &&
+  return HaveZeroLength(points, mesh->GetLines()) &&
+    HaveZeroArea(points, mesh->GetPolys(), false, rounding) &&
     HaveZeroArea(points, mesh->GetStrips(), true, rounding);
 }
 

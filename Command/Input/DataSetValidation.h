@@ -17,8 +17,8 @@ namespace penumbra
 /// an array that is too short. Empty if the data set is valid.
 std::string FindInconsistency(vtkDataSet* data);
 
-/// Returns whether `mesh` has polygons or strips that all have zero area within the rounding of its
-/// coordinates, and neither lines nor vertices. False for the faces of curved cells.
+/// Returns whether `mesh` has cells, but neither vertices, nor lines between different points, nor polygons
+/// and strips whose area is larger than the rounding of its coordinates. False for the faces of curved cells.
 bool HasOnlyZeroArea(vtkPolyData* mesh);
 
 }

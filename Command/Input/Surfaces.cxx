@@ -232,6 +232,18 @@ Surfaces ExtractSurfaces(
   return surfaces;
 }
 
+/// Returns the warning of meshes of which nothing is visible from any side.
+std::string DescribeZeroArea(const std::vector<vtkSmartPointer<vtkPolyData>>& meshes)
+{
+  const bool onlyLines = std::all_of(meshes.begin(), meshes.end(),
+    [](vtkPolyData* mesh) { return mesh->GetNumberOfLines() == mesh->GetNumberOfCells(); });
+  return onlyLines
+    ? "the lines have no length: the points of every line coincide; export the mesh again"
+    : "the surface has no area: the corners of every polygon coincide or are on one line; export "
+      "the "
+      "mesh again";
+}
+
 // Returns the files to read, those of one step if the file is a series.
 std::vector<std::string> FindFiles(const std::string& path, std::optional<double> time)
 {
@@ -322,9 +334,7 @@ Surfaces ReadSurfaces(const std::string& path, const InputOptions& options)
   }
   if (!surfaces.Meshes.empty() && !surfaces.HasArea)
   {
-    surfaces.Warnings.push_back(
-      "the surface has no area: the corners of every polygon coincide or are on one "
-      "line; export the mesh again");
+    surfaces.Warnings.push_back(DescribeZeroArea(surfaces.Meshes));
   }
   NameFile(path, surfaces.Warnings);
   if (surfaces.Meshes.empty() && surfaces.DroppedPoints > 0)

@@ -37,7 +37,7 @@ struct Surfaces
   vtkIdType DroppedPoints = 0;       ///< non-finite points, skipped with the cells that use them
   /// Distance of neighboring single-precision coordinates if it is visible in the bounds, else 0.
   double RoundingStep = 0.0;
-  bool HasArea = false; ///< if off, all cells are polygons without area
+  bool HasArea = false; ///< if off, all cells are polygons without area or lines without length
 
   /// Appends the surfaces, lights and cameras of another file. Counts are added.
   void Append(const Surfaces& other);
