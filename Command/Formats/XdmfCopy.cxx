@@ -75,7 +75,7 @@ std::vector<std::string_view> FindDataFiles(std::string_view text)
 
 }
 
-std::string CopyXdmf(const std::string& path, Appearance*)
+std::string CopyXdmf(const std::string& path, Appearance*, std::vector<std::string>&)
 {
   const MappedFile file(path);
   const std::string_view text(file.Begin(), file.Size());

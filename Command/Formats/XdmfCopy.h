@@ -6,6 +6,7 @@
 #define penumbra_XdmfCopy_h
 
 #include <string>
+#include <vector>
 
 namespace penumbra
 {
@@ -15,7 +16,8 @@ struct Appearance;
 /// Throws CommandError if a file with data that the XDMF file at `path` names is missing. Returns the path of a
 /// temporary copy that VTK can read, or an empty path if it can read the file: it does not know the namespace of
 /// XInclude with which DOLFINx refers to a mesh.
-std::string CopyXdmf(const std::string& path, Appearance* appearance);
+std::string CopyXdmf(
+  const std::string& path, Appearance* appearance, std::vector<std::string>& warnings);
 
 }
 #endif

@@ -44,8 +44,8 @@ std::string DecodePath(const std::string& uri);
 
 /// Calls `visit` for each reference to a texture of a material, with the object that contains it and its
 /// name.
-template <typename Visitor>
-void VisitTextures(nlohmann::json& object, const Visitor& visit)
+template <typename Object, typename Visitor>
+void VisitTextures(Object& object, const Visitor& visit)
 {
   std::vector<std::string> names;
   for (auto& [name, value] : object.items())

@@ -8,8 +8,8 @@
 #include "Files/TemporaryFile.h"
 #include "GltfAttributes.h"
 #include "GltfContainer.h"
-#include "GltfEmission.h"
 #include "GltfImages.h"
+#include "GltfMaterials.h"
 #include "GltfValidation.h"
 #include "GltfVersion1.h"
 #include "Processes/CommandError.h"
@@ -59,10 +59,14 @@ public:
     }
   }
 
-  /// Throws CommandError at what VTK's reader does not check.
-  void Validate() const
+  /// Throws CommandError at what VTK's reader does not check. Appends warnings of what it leaves out.
+  void Validate(bool materials, std::vector<std::string>& warnings) const
   {
-    this->RefuseCompression();
+    const std::string compression = FindCompression(this->Root);
+    if (!compression.empty())
+    {
+      this->Fail("its geometry is compressed (" + compression + "); export it without compression");
+    }
     std::vector<std::size_t> sizes;
     for (const Json& buffer : ListOf(this->Root, "buffers"))
     {
@@ -80,6 +84,7 @@ public:
     {
       this->Fail("the file is damaged: " + fault + "; export it again");
     }
+    WarnOfExtensions(this->Root, materials, warnings);
   }
 
   /// Returns whether VTK's reader may refuse the file. It reports invalid JSON itself.
@@ -104,11 +109,13 @@ public:
     const bool isQuantized = !FindQuantizedAccessors(this->Root).empty();
     return this->WasVersion1 || isSparse || isUnusual || isIncomplete || !hasScene || isQuantized ||
       this->Root.contains("images") || this->Root.contains("textures") ||
-      HasPlainEmission(this->Root) || this->Root.contains("extensionsRequired");
+      NamesTextures(this->Root) || HasPlainEmission(this->Root) ||
+      this->Root.contains("extensionsRequired");
   }
 
   void SimplifyMaterials(std::vector<std::string>& warnings)
   {
+    ReplaceSpecularGlossiness(this->Root, warnings);
     UseFirstTextureCoordinates(this->Root, warnings);
     AddEmissionCoordinates(this->Root);
     for (std::size_t i = 0; i < ListOf(this->Root, "materials").size(); ++i)
@@ -131,7 +138,7 @@ public:
       this->MakeFloat(this->Root["accessors"][accessor]);
     }
     this->AddEndsOfAnimations();
-    this->RemoveExtensions();
+    RemoveExtensions(this->Root);
   }
 
   /// Writes a copy with materials and images and returns its path.
@@ -164,18 +171,6 @@ private:
   [[noreturn]] void Fail(const std::string& problem) const
   {
     throw CommandError(BadInput, this->Path + ": " + problem);
-  }
-
-  void RefuseCompression() const
-  {
-    for (const Json& extension : ListOf(this->Root, "extensionsRequired"))
-    {
-      const std::string name = extension.get<std::string>();
-      if (name.find("compression") != name.npos)
-      {
-        this->Fail("its geometry is compressed (" + name + "); export it without compression");
-      }
-    }
   }
 
   std::string ReadBuffer(const Json& buffer) const
@@ -425,18 +420,6 @@ private:
     AddEmissionTextures(this->Root, this->AddView(MakeWhitePng()));
   }
 
-  void RemoveExtensions()
-  {
-    this->Root.erase("extensionsRequired");
-    for (Json& mesh : this->Root["meshes"])
-    {
-      for (Json& primitive : mesh["primitives"])
-      {
-        primitive.erase("extensions");
-      }
-    }
-  }
-
   void RemoveMaterials()
   {
     for (const char* name : { "images", "textures", "samplers", "materials" })
@@ -466,25 +449,26 @@ private:
 
 }
 
-std::string CopyGltf(const std::string& path, Appearance* appearance)
+std::string CopyGltf(
+  const std::string& path, Appearance* appearance, std::vector<std::string>& warnings)
 {
   try
   {
     Copy copy(path);
     copy.RequireMeshes();
-    copy.Validate();
+    copy.Validate(appearance != nullptr, warnings);
     if (!copy.IsNeeded())
     {
       return {};
     }
     if (appearance)
     {
-      copy.SimplifyMaterials(appearance->Warnings);
+      copy.SimplifyMaterials(warnings);
     }
     copy.SimplifyGeometry();
     if (appearance)
     {
-      appearance->Copy = std::make_shared<TemporaryFile>(copy.WriteScene(appearance->Warnings));
+      appearance->Copy = std::make_shared<TemporaryFile>(copy.WriteScene(warnings));
     }
     return copy.WriteGeometry();
   }

@@ -7,6 +7,7 @@
 #define penumbra_GltfCopy_h
 
 #include <string>
+#include <vector>
 
 namespace penumbra
 {
@@ -17,8 +18,9 @@ struct Appearance;
 /// VTK's reader can read that file itself. The caller removes it. `appearance`: if it is not null,
 /// its Copy becomes a file with the materials and images, too; images that are missing or damaged
 /// are replaced, each with a warning. Throws CommandError if a buffer is missing or too short, or
-/// if the geometry is compressed.
-std::string CopyGltf(const std::string& path, Appearance* appearance);
+/// if the geometry is compressed. Appends warnings of extensions that are not supported.
+std::string CopyGltf(
+  const std::string& path, Appearance* appearance, std::vector<std::string>& warnings);
 
 }
 #endif

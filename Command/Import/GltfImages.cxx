@@ -90,23 +90,37 @@ std::set<std::size_t> FindUsedImages(const nlohmann::json& root)
   return used;
 }
 
+bool NamesTextures(const nlohmann::json& root)
+{
+  bool isNamed = false;
+  VisitTextures(
+    ListOf(root, "materials"), [&isNamed](const Json&, const std::string&) { isNamed = true; });
+  return isNamed;
+}
+
 void RemoveTextures(
   nlohmann::json& root, const std::set<std::size_t>& badImages, std::vector<std::string>& warnings)
 {
   std::set<std::size_t> goodTextures;
+  std::set<std::string> missing;
   const std::size_t images = ListOf(root, "images").size();
-  for (std::size_t i = 0; i < ListOf(root, "textures").size(); ++i)
+  const std::size_t textures = ListOf(root, "textures").size();
+  for (std::size_t i = 0; i < textures; ++i)
   {
     Json& texture = root["textures"][i];
     const auto source = texture.find("source");
-    const bool isValid = source != texture.end() && source->is_number_unsigned() &&
-      source->get<std::size_t>() < images && badImages.count(source->get<std::size_t>()) == 0;
+    const bool isInRange = source != texture.end() && source->is_number_unsigned() &&
+      source->get<std::size_t>() < images;
     if (source == texture.end() && !texture.value("extensions", Json::object()).empty())
     {
       warnings.push_back("a texture needs the extension " + texture["extensions"].begin().key() +
         "; its surfaces are drawn without it");
     }
-    if (isValid)
+    else if (!isInRange)
+    {
+      missing.insert("the image of the texture " + std::to_string(i));
+    }
+    if (isInRange && badImages.count(source->get<std::size_t>()) == 0)
     {
       goodTextures.insert(i);
     }
@@ -117,13 +131,21 @@ void RemoveTextures(
   }
   for (Json& material : root["materials"])
   {
-    VisitTextures(material, [&goodTextures](Json& object, const std::string& name) {
+    VisitTextures(material, [&](Json& object, const std::string& name) {
       const Json& index = object[name]["index"];
+      if (!index.is_number_unsigned() || index.get<std::size_t>() >= textures)
+      {
+        missing.insert("the texture " + index.dump().substr(0, 40));
+      }
       if (!index.is_number_unsigned() || goodTextures.count(index.get<std::size_t>()) == 0)
       {
         object.erase(name);
       }
     });
+  }
+  for (const std::string& name : missing)
+  {
+    warnings.push_back(name + " is missing; its surfaces are drawn without it");
   }
   if (images == 0)
   {

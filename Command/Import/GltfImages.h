@@ -23,8 +23,11 @@ std::string MakeWhitePng();
 /// Returns the images that textures use.
 std::set<std::size_t> FindUsedImages(const nlohmann::json& root);
 
-/// Removes the references of all materials in `root` to textures whose image is missing or in
-/// `badImages`. Adds a warning for each texture whose image only an extension names.
+/// Returns whether a material refers to a texture.
+bool NamesTextures(const nlohmann::json& root);
+
+/// Removes the references of all materials in `root` to textures that do not exist, or whose image is missing or
+/// in `badImages`. Adds a warning for each texture that does not exist or whose image only an extension names.
 void RemoveTextures(
   nlohmann::json& root, const std::set<std::size_t>& badImages, std::vector<std::string>& warnings);
 

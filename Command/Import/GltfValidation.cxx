@@ -17,6 +17,23 @@ namespace
 
 using Json = nlohmann::json;
 
+/// Returns whether an extension changes the appearance of surfaces, but not their shape.
+bool IsOfMaterials(const std::string& name)
+{
+  return name.find("_materials_") != name.npos || name.find("_texture_") != name.npos ||
+    name.find("_lights_") != name.npos;
+}
+
+/// Returns whether an extension is drawn, or causes its own warning.
+bool IsKnown(const std::string& name)
+{
+  static const std::set<std::string> known = { "EXT_texture_webp", "EXT_texture_avif",
+    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_basisu", "KHR_texture_transform",
+    "MSFT_texture_dds" };
+  return known.count(name) > 0;
+}
+
 class Validator
 {
 public:
@@ -268,6 +285,64 @@ private:
 std::string FindGltfFault(const Json& root, const std::vector<std::size_t>& bufferBytes)
 {
   return Validator(root, bufferBytes).FindFault();
+}
+
+std::string FindCompression(const Json& root)
+{
+  for (const Json& extension : ListOf(root, "extensionsRequired"))
+  {
+    const std::string name = extension.get<std::string>();
+    if (name.find("compression") != name.npos)
+    {
+      return name;
+    }
+  }
+  return {};
+}
+
+void WarnOfExtensions(const Json& root, bool materials, std::vector<std::string>& warnings)
+{
+  std::set<std::string> names;
+  for (const Json& extension : ListOf(root, "extensionsRequired"))
+  {
+    const std::string name = extension.get<std::string>();
+    if (!IsKnown(name) && (materials || !IsOfMaterials(name)))
+    {
+      names.insert(name);
+    }
+  }
+  for (const Json& node : ListOf(root, "nodes"))
+  {
+    for (const char* name : { "EXT_mesh_gpu_instancing", "KHR_node_visibility" })
+    {
+      if (node.value("extensions", Json::object()).contains(name))
+      {
+        names.insert(name);
+      }
+    }
+  }
+  std::string list;
+  for (const std::string& name : names)
+  {
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  if (!list.empty())
+  {
+    warnings.push_back(
+      "what these extensions describe is not drawn: " + list + "; export the file without them");
+  }
+}
+
+void RemoveExtensions(Json& root)
+{
+  root.erase("extensionsRequired");
+  for (Json& mesh : root["meshes"])
+  {
+    for (Json& primitive : mesh["primitives"])
+    {
+      primitive.erase("extensions");
+    }
+  }
 }
 
 }

@@ -283,7 +283,7 @@ vtkSmartPointer<vtkDataObject> ReadData(const std::string& path, std::optional<d
     return data;
   }
   TakeErrors();
-  const TemporaryFile copy(row.Prepare ? row.Prepare(path, appearance) : std::string());
+  const TemporaryFile copy(row.Prepare ? row.Prepare(path, appearance, warnings) : std::string());
   const Algorithm reader = row.Make(copy.Path.empty() ? path : copy.Path);
   if (time)
   {
@@ -333,7 +333,8 @@ std::vector<double> ReadTimes(const std::string& path)
     return times;
   }
   TakeErrors();
-  const TemporaryFile copy(row.Prepare ? row.Prepare(path, nullptr) : std::string());
+  std::vector<std::string> ignored;
+  const TemporaryFile copy(row.Prepare ? row.Prepare(path, nullptr, ignored) : std::string());
   const std::vector<double> times = UpdateTimes(row.Make(copy.Path.empty() ? path : copy.Path));
   const std::vector<std::string> errors = TakeErrors();
   if (!errors.empty())

@@ -31,8 +31,9 @@ struct ReaderRow
   void (*Complete)(vtkAlgorithm* reader, const std::string& path, vtkDataObject* data,
     std::vector<std::string>& warnings) = nullptr;
   /// Returns a temporary file to read instead, or an empty path; null: reads the file. May set the
-  /// Copy of an appearance that is not null.
-  std::string (*Prepare)(const std::string& path, Appearance* appearance) = nullptr;
+  /// Copy of an appearance that is not null, and append warnings without the name of the file.
+  std::string (*Prepare)(
+    const std::string& path, Appearance* appearance, std::vector<std::string>& warnings) = nullptr;
   /// Returns whether the contents are of this format; null: the extension decides.
   bool (*Recognizes)(const std::string& path) = nullptr;
   /// Reads the appearance of the surfaces `data`, see Appearance.h; null: the format has none.

@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Faults of glTF files at which VTK's reader crashes or reads beyond the end of a buffer. The message names
-// the object and the fault.
+// Faults of glTF files at which VTK's reader crashes or reads beyond the end of a buffer, and what it leaves out.
+// The message names the object and the fault.
 #include "GltfDocument.h"
 #include "Program.h"
+#include "RenderedImages.h"
+
+#include "vtkImageData.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <utility>
 
 using namespace penumbra_testing;
@@ -102,6 +106,87 @@ TEST(GltfFaults, AreNamed)
     EXPECT_NE(outcome.Errors.find(message), std::string::npos) << message << " in\n"
                                                                << outcome.Errors;
   }
+}
+
+/// Renders a square with a value replaced in its file; returns the messages.
+std::string RenderSquare(const Folder& folder, const std::string& pointer, const Document& value,
+  const std::vector<std::string>& options = {})
+{
+  Document root = MakeSquare();
+  root["materials"] = Document::array({ Document::object() });
+  root["meshes"][0]["primitives"][0]["material"] = 0;
+  root[Document::json_pointer(pointer)] = value;
+  WriteText(folder / "square.gltf", root.dump());
+  std::vector<std::string> arguments = { "render", folder / "square.gltf", "--output",
+    folder / "square.png", "--resolution", "8,8", "--unlit" };
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const ProgramResult outcome = RunProgram(arguments);
+  EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
+  return outcome.Errors;
+}
+
+TEST(GltfExtensions, ThatAreNotSupportedAreNamed)
+{
+  const Folder folder("extensions");
+  const Document instancing = { { "EXT_mesh_gpu_instancing",
+    { { "attributes", { { "TRANSLATION", 0 } } } } } };
+  const std::string instances = RenderSquare(folder, "/nodes/0/extensions", instancing);
+  EXPECT_EQ(CountLines(instances), 1) << instances;
+  EXPECT_NE(instances.find("is not drawn: EXT_mesh_gpu_instancing;"), std::string::npos)
+    << instances;
+  const std::string unknown =
+    RenderSquare(folder, "/extensionsRequired", { "ACME_rooms", "KHR_mesh_quantization" });
+  EXPECT_EQ(CountLines(unknown), 1) << unknown;
+  EXPECT_NE(unknown.find("is not drawn: ACME_rooms;"), std::string::npos) << unknown;
+}
+
+TEST(GltfExtensions, OfMaterialsAreNotNamedIfOnlySurfacesAreRead)
+{
+  const Folder folder("surfaces");
+  const Document required = { "KHR_materials_transmission", "ACME_rooms" };
+  const std::string all = RenderSquare(folder, "/extensionsRequired", required);
+  EXPECT_NE(all.find("is not drawn: ACME_rooms, KHR_materials_transmission;"), std::string::npos)
+    << all;
+  const std::string surfaces =
+    RenderSquare(folder, "/extensionsRequired", required, { "--no-materials" });
+  EXPECT_NE(surfaces.find("is not drawn: ACME_rooms;"), std::string::npos) << surfaces;
+}
+
+TEST(GltfTextures, ThatDoNotExistAreNamed)
+{
+  const Folder folder("textures");
+  const char* const pointer = "/materials/0/pbrMetallicRoughness/baseColorTexture/index";
+  const std::string missing = RenderSquare(folder, pointer, 7);
+  EXPECT_EQ(CountLines(missing), 1) << missing;
+  EXPECT_NE(missing.find("the texture 7 is missing"), std::string::npos) << missing;
+  Document materials = Document::array({ Document::object() });
+  materials[0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 0;
+  Document root = MakeSquare();
+  root["textures"] = Document::array({ { { "source", 3 } } });
+  root["materials"] = materials;
+  root["meshes"][0]["primitives"][0]["material"] = 0;
+  WriteText(folder / "image.gltf", root.dump());
+  const ProgramResult outcome =
+    RunProgram({ "render", folder / "image.gltf", "--output", folder / "image.png" });
+  EXPECT_EQ(outcome.Status, 0);
+  EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+  EXPECT_NE(outcome.Errors.find("the image of the texture 0 is missing"), std::string::npos)
+    << outcome.Errors;
+}
+
+TEST(GltfMaterials, OfSpecularAndGlossinessHaveTheirDiffuseColor)
+{
+  const Folder folder("glossiness");
+  const Document extension = { { "KHR_materials_pbrSpecularGlossiness",
+    { { "diffuseFactor", { 0.2, 0.5, 0.05, 1.0 } }, { "glossinessFactor", 0.0 } } } };
+  const std::string errors = RenderSquare(folder, "/materials/0/extensions", extension);
+  EXPECT_EQ(CountLines(errors), 1) << errors;
+  EXPECT_NE(errors.find("the specular color is not drawn"), std::string::npos) << errors;
+  const Pixel color = PixelAt(ReadImage(folder / "square.png"), 4, 4);
+  // Factors are linear; VTK encodes colors with an exponent of 2.2.
+  EXPECT_NEAR(color[0], std::pow(0.2, 1.0 / 2.2), 0.005);
+  EXPECT_NEAR(color[1], std::pow(0.5, 1.0 / 2.2), 0.005);
+  EXPECT_NEAR(color[2], std::pow(0.05, 1.0 / 2.2), 0.005);
 }
 
 }

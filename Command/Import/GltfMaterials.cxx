@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GltfEmission.h"
+#include "GltfMaterials.h"
 
 #include "GltfContainer.h"
 
@@ -17,6 +17,7 @@ namespace
 
 using Json = nlohmann::json;
 
+constexpr const char* Glossiness = "KHR_materials_pbrSpecularGlossiness";
 constexpr const char* StrengthExtension = "KHR_materials_emissive_strength";
 
 double FindStrength(const Json& material)
@@ -34,6 +35,39 @@ bool Emits(const Json& material)
     factor.begin(), factor.end(), [](const Json& value) { return value.get<double>() > 0.0; });
 }
 
+}
+
+void ReplaceSpecularGlossiness(Json& root, std::vector<std::string>& warnings)
+{
+  bool isReplaced = false;
+  for (std::size_t i = 0; i < ListOf(root, "materials").size(); ++i)
+  {
+    Json& material = root["materials"][i];
+    const Json extensions = material.value("extensions", Json::object());
+    if (material.contains("pbrMetallicRoughness") || !extensions.contains(Glossiness))
+    {
+      continue;
+    }
+    const Json& source = extensions[Glossiness];
+    Json colors = { { "metallicFactor", 0.0 },
+      { "roughnessFactor", 1.0 - source.value("glossinessFactor", 1.0) } };
+    if (source.contains("diffuseFactor"))
+    {
+      colors["baseColorFactor"] = source["diffuseFactor"];
+    }
+    if (source.contains("diffuseTexture"))
+    {
+      colors["baseColorTexture"] = source["diffuseTexture"];
+    }
+    material["pbrMetallicRoughness"] = colors;
+    material["extensions"].erase(Glossiness);
+    isReplaced = true;
+  }
+  if (isReplaced)
+  {
+    warnings.push_back(std::string("of ") + Glossiness +
+      ", the specular color is not drawn; export the file with metallic and roughness");
+  }
 }
 
 bool HasPlainEmission(const nlohmann::json& root)
