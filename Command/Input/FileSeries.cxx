@@ -40,11 +40,17 @@ void Add(const std::string& path, const std::string& file, double time, FilesByT
   steps[time].push_back((std::filesystem::path(path).parent_path() / file).string());
 }
 
-FilesByTime ReadCollection(const std::string& path)
+vtkSmartPointer<vtkXMLDataElement> ReadXml(const std::string& path)
 {
   const auto root =
     vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(path.c_str()));
   TakeErrors();
+  return root;
+}
+
+FilesByTime ReadCollection(const std::string& path)
+{
+  const vtkSmartPointer<vtkXMLDataElement> root = ReadXml(path);
   vtkXMLDataElement* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
   if (!collection)
   {
@@ -71,6 +77,22 @@ FilesByTime ReadCollection(const std::string& path)
     Add(path, file, time, steps);
   }
   return steps;
+}
+
+void AddPieces(
+  vtkXMLDataElement* element, const std::filesystem::path& folder, std::vector<std::string>& pieces)
+{
+  for (const char* attribute : { "file", "Source" })
+  {
+    if (const char* name = element->GetAttribute(attribute))
+    {
+      pieces.push_back((folder / name).string());
+    }
+  }
+  for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
+  {
+    AddPieces(element->GetNestedElement(i), folder, pieces);
+  }
 }
 
 FilesByTime ReadJsonSeries(const std::string& path)
@@ -118,6 +140,19 @@ std::vector<SeriesStep> ReadFileSeries(const std::string& path)
     steps.push_back({ time, parts });
   }
   return steps;
+}
+
+std::vector<std::string> FindPieces(const std::string& path)
+{
+  std::vector<std::string> pieces;
+  const std::string extension = LowerExtension(path);
+  const bool isList = extension.compare(0, 3, ".vt") == 0 || extension.compare(0, 4, ".pvt") == 0;
+  const vtkSmartPointer<vtkXMLDataElement> root = isList ? ReadXml(path) : nullptr;
+  if (root)
+  {
+    AddPieces(root, std::filesystem::path(path).parent_path(), pieces);
+  }
+  return pieces;
 }
 
 }

@@ -234,7 +234,8 @@ void CheckFile(const std::string& path)
   }
 }
 
-const ReaderRow& FindReader(const std::string& path)
+/// Returns null if the extension is unknown.
+const ReaderRow* TryFindReader(const std::string& path)
 {
   const std::string name = LowerCase(std::filesystem::path(path).filename().string());
   for (const ReaderRow& row : Readers())
@@ -246,9 +247,18 @@ const ReaderRow& FindReader(const std::string& path)
         name.compare(name.size() - extension.size(), extension.size(), extension) == 0 &&
         (!row.Recognizes || row.Recognizes(path)))
       {
-        return row;
+        return &row;
       }
     }
+  }
+  return nullptr;
+}
+
+const ReaderRow& FindReader(const std::string& path)
+{
+  if (const ReaderRow* row = TryFindReader(path))
+  {
+    return *row;
   }
   CheckFile(path);
   throw CommandError(BadInput,
@@ -260,6 +270,30 @@ const ReaderRow& FindReader(const std::string& path)
   const std::string& path, const ReaderRow& row, const std::string& reason)
 {
   throw CommandError(BadInput, path + ": the file is damaged or not " + row.Format + ": " + reason);
+}
+
+vtkSmartPointer<vtkDataObject> ReadData(const std::string& path, std::optional<double> time,
+  Appearance* appearance, std::vector<std::string>& warnings);
+
+/// If the file at `path` lists files of blocks or pieces, throws the error of the first one that cannot be read.
+void FailReadingPieces(const std::string& path)
+{
+  for (const std::string& piece : FindPieces(path))
+  {
+    try
+    {
+      CheckFile(piece);
+      if (TryFindReader(piece) && FindPieces(piece).empty()) // else it may list itself
+      {
+        std::vector<std::string> ignored;
+        ReadData(piece, std::nullopt, nullptr, ignored);
+      }
+    }
+    catch (const CommandError& error)
+    {
+      throw CommandError(error.ExitStatus, path + ": " + error.what());
+    }
+  }
 }
 
 /// Reads a file; `appearance`: null if it is not read.
@@ -298,6 +332,7 @@ vtkSmartPointer<vtkDataObject> ReadData(const std::string& path, std::optional<d
   RequireMemory(errors);
   if (!errors.empty())
   {
+    FailReadingPieces(path);
     FailReading(path, row, errors.front());
   }
   if (reader->GetErrorCode() != 0 || !data)

@@ -315,7 +315,18 @@ Surfaces ReadSurfaces(const std::string& path, const InputOptions& options)
   Surfaces surfaces;
   for (const std::string& file : FindFiles(path, options.Time))
   {
-    surfaces.Append(ReadOneFile(file, options));
+    try
+    {
+      surfaces.Append(ReadOneFile(file, options));
+    }
+    catch (const CommandError& error)
+    {
+      if (file == path)
+      {
+        throw;
+      }
+      throw CommandError(error.ExitStatus, path + ": " + error.what());
+    }
   }
   surfaces.Files = { path };
   if (surfaces.DroppedPoints > 0)

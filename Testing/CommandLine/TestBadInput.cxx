@@ -454,6 +454,44 @@ TEST(Blocks, WithoutSurfacesCauseOneWarning)
   }
 }
 
+TEST(Lists, AreNamedWithTheFirstFileThatCannotBeRead)
+{
+  const Folder folder("lists");
+  WriteText(folder / "a.stl", SquareStl());
+  ASSERT_EQ(RunProgram({ "bake", folder / "a.stl", "--output", folder / "a.vtp" }).Status, 0);
+  WriteText(folder / "damaged.vtp", ReadText(folder / "a.vtp").substr(0, 600));
+  const auto wrap = [](const std::string& type, const std::string& element) {
+    return "<VTKFile type=\"" + type + "\" version=\"1.0\"><" + element + ">";
+  };
+  for (const std::string piece : { "damaged.vtp", "missing.vtp" })
+  {
+    const std::string files = "<DataSet index=\"0\" timestep=\"0\" file=\"a.vtp\"/>"
+                              "<DataSet index=\"1\" timestep=\"0\" file=\"" +
+      piece + "\"/>";
+    WriteText(
+      folder / "list.pvd", wrap("Collection", "Collection") + files + "</Collection></VTKFile>");
+    WriteText(folder / "list.vtm",
+      wrap("vtkMultiBlockDataSet", "vtkMultiBlockDataSet") + files +
+        "</vtkMultiBlockDataSet></VTKFile>");
+    WriteText(folder / "list.pvtp",
+      wrap("PPolyData", "PPolyData") +
+        "<PPoints><PDataArray type=\"Float32\" NumberOfComponents=\"3\"/></PPoints>"
+        "<Piece Source=\"a.vtp\"/><Piece Source=\"" +
+        piece + "\"/></PPolyData></VTKFile>");
+    for (const std::string list : { "list.pvd", "list.vtm", "list.pvtp" })
+    {
+      const ProgramResult outcome =
+        RunProgram({ "render", folder / list, "--output", folder / "image.png" });
+      EXPECT_EQ(outcome.Status, 2);
+      EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+      const std::string message = folder / list + ": " + (folder / piece) +
+        (piece == "missing.vtp" ? ": no such file" : ": the file is damaged or not VTK polygons");
+      EXPECT_NE(outcome.Errors.find(message), std::string::npos) << message << '\n'
+                                                                 << outcome.Errors;
+    }
+  }
+}
+
 TEST(InvalidUsage, PrintsOneLineError)
 {
   const Folder folder("bad-use");
