@@ -183,23 +183,10 @@ LayerPolygon PixelTriangles::Clip(std::uint32_t index) const
   {
     const LinearValue<float>& f = triangle.Sides[side];
     const auto evaluate = [&](glm::vec2 p) { return f.Value + f.SlopeX * p.x + f.SlopeY * p.y; };
-    LayerPolygon clipped;
-    for (int i = 0; i < polygon.Count; ++i)
-    {
-      const glm::vec2 p = polygon.Points[i];
-      const glm::vec2 q = polygon.Points[i + 1 < polygon.Count ? i + 1 : 0];
-      const float a = evaluate(p);
-      const float b = evaluate(q);
-      if (a >= 0.f)
-      {
-        clipped.Points[clipped.Count++] = p;
-      }
-      if ((a < 0.f) != (b < 0.f))
-      {
-        clipped.Points[clipped.Count++] = p + a / (a - b) * (q - p);
-      }
-    }
-    polygon = clipped;
+    LayerPolygon outside;
+    LayerPolygon inside;
+    Split(polygon, evaluate, outside, inside);
+    polygon = inside;
   }
   return polygon;
 }

@@ -5,9 +5,9 @@
 #ifndef penumbra_PixelTriangles_h
 #define penumbra_PixelTriangles_h
 
+#include "ConvexPolygon.h"
 #include "TileTriangles.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -30,13 +30,9 @@ struct PixelTriangle
   std::uint32_t Index; ///< in TileTriangles
 };
 
-/// The part of a pixel that a triangle covers, in coordinates of the pixel: a convex polygon. Cutting the
-/// square by three sides leaves at most 7 points, and at most 13 whatever rounding does.
-struct LayerPolygon
-{
-  std::array<glm::vec2, 13> Points;
-  int Count = 0;
-};
+/// The part of a pixel that a triangle covers. Cutting the square by three sides leaves at most 7 points, and at most 13
+/// whatever rounding does.
+using LayerPolygon = ConvexPolygon<float, 13>;
 
 class PixelTriangles
 {

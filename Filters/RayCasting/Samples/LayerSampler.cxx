@@ -61,32 +61,6 @@ LinearValue<double> FindAway(
   return projected.MakePlane(values[0], values[1], values[2], pixel);
 }
 
-/// Divides a polygon into the part where a value is positive, and the rest.
-void Split(const LayerPolygon& polygon, const LinearValue<double>& value, LayerPolygon& positive,
-  LayerPolygon& rest)
-{
-  const auto add = [](LayerPolygon& part, glm::vec2 p) {
-    if (part.Count < static_cast<int>(part.Points.size()))
-    {
-      part.Points[part.Count++] = p;
-    }
-  };
-  for (int i = 0; i < polygon.Count; ++i)
-  {
-    const glm::vec2 p = polygon.Points[i];
-    const glm::vec2 q = polygon.Points[i + 1 < polygon.Count ? i + 1 : 0];
-    const double a = Evaluate(value, p);
-    const double b = Evaluate(value, q);
-    add(a > 0.0 ? positive : rest, p);
-    if ((a > 0.0) != (b > 0.0))
-    {
-      const glm::vec2 crossing = p + static_cast<float>(a / (a - b)) * (q - p);
-      add(positive, crossing);
-      add(rest, crossing);
-    }
-  }
-}
-
 /// Fits the gradient of the color to colors at points.
 void FitGradient(
   const glm::vec2* points, const glm::vec4* colors, int count, PixelLayerColor& color)
@@ -168,7 +142,8 @@ void ShadePartOfLayer(PixelContext& context, const TileRasterizer& rasterizer, s
     NegatedLayer negated{ FindAway(*color.Of, color.Id.Primitive, camera, origin), color };
     LayerPolygon away;
     LayerPolygon rest;
-    Split(polygon, negated.Away, away, rest);
+    const auto evaluate = [&](glm::vec2 p) { return -Evaluate(negated.Away, p); };
+    Split(polygon, evaluate, away, rest);
     if (away.Count > 0 && rest.Count > 0)
     {
       ShadePolygon(context, away, pixel, negated.Color);

@@ -7,9 +7,7 @@
 #include "Surface.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 
 namespace penumbra
 {
@@ -25,12 +23,8 @@ constexpr double LargestDepthRatio = 1.25;
 /// Texel coordinates above this value have lost too much precision.
 constexpr double LargestTexel = 1e6;
 
-/// A convex polygon in coordinates of the pixel. Each side that cuts it adds a point.
-struct Polygon
-{
-  std::array<glm::dvec2, 24> Points;
-  std::size_t Count = 0;
-};
+/// The part of a pixel on a texel.
+using Polygon = ConvexPolygon<double, 24>;
 
 /// A value that is linear in the pixel, as a function of (1, x, y).
 using Linear = glm::dvec3;
@@ -40,38 +34,12 @@ double Evaluate(const Linear& f, glm::dvec2 p)
   return f.x + f.y * p.x + f.z * p.y;
 }
 
-/// Divides a polygon into the parts where a value is negative and where it is positive.
-void Split(const Polygon& polygon, const Linear& f, Polygon& negative, Polygon& positive)
-{
-  negative.Count = positive.Count = 0;
-  const auto add = [](Polygon& part, glm::dvec2 p) {
-    if (part.Count < part.Points.size())
-    {
-      part.Points[part.Count++] = p;
-    }
-  };
-  for (std::size_t i = 0; i < polygon.Count; ++i)
-  {
-    const glm::dvec2 p = polygon.Points[i];
-    const glm::dvec2 q = polygon.Points[i + 1 < polygon.Count ? i + 1 : 0];
-    const double a = Evaluate(f, p);
-    const double b = Evaluate(f, q);
-    add(a < 0.0 ? negative : positive, p);
-    if ((a < 0.0) != (b < 0.0))
-    {
-      const glm::dvec2 crossing = p + a / (a - b) * (q - p);
-      add(negative, crossing);
-      add(positive, crossing);
-    }
-  }
-}
-
 /// Returns the area of a polygon and its center.
 double ComputeArea(const Polygon& polygon, glm::dvec2& center)
 {
   double area = 0.0;
   glm::dvec2 sum(0.0);
-  for (std::size_t i = 2; i < polygon.Count; ++i)
+  for (int i = 2; i < polygon.Count; ++i)
   {
     const glm::dvec2 u = polygon.Points[i - 1] - polygon.Points[0];
     const glm::dvec2 v = polygon.Points[i] - polygon.Points[0];
@@ -91,7 +59,7 @@ bool VisitParts(
 {
   double low = LargestTexel;
   double high = -LargestTexel;
-  for (std::size_t i = 0; i < rest.Count; ++i)
+  for (int i = 0; i < rest.Count; ++i)
   {
     const double value =
       Evaluate(numerator, rest.Points[i]) / Evaluate(denominator, rest.Points[i]);
@@ -112,7 +80,9 @@ bool VisitParts(
   for (int i = first; i < last; ++i)
   {
     Polygon next;
-    Split(rest, numerator - (i + 1.0) * denominator, part, next);
+    const Linear border = numerator - (i + 1.0) * denominator;
+    const auto evaluate = [&](glm::dvec2 p) { return Evaluate(border, p); };
+    Split(rest, evaluate, part, next);
     if (part.Count > 2 && !visit(i, part))
     {
       return false;
@@ -179,8 +149,7 @@ private:
     const auto compare = [&](glm::dvec2 p, glm::dvec2 q) {
       return Evaluate(this->Weight, p) < Evaluate(this->Weight, q);
     };
-    const auto depths =
-      std::minmax_element(begin, begin + static_cast<std::ptrdiff_t>(part.Count), compare);
+    const auto depths = std::minmax_element(begin, begin + part.Count, compare);
     if (Evaluate(this->Weight, *depths.second) >
       LargestDepthRatio * Evaluate(this->Weight, *depths.first))
     {
@@ -198,7 +167,7 @@ private:
         glm::mix(glm::mix(texels[0], texels[1], s), glm::mix(texels[2], texels[3], s), t);
     };
     glm::dvec4 diagonal = shade(0.5 * (part.Points[0] + part.Points[1]));
-    for (std::size_t i = 2; i < part.Count; ++i)
+    for (int i = 2; i < part.Count; ++i)
     {
       const glm::dvec2 u = part.Points[i - 1] - part.Points[0];
       const glm::dvec2 v = part.Points[i] - part.Points[0];
