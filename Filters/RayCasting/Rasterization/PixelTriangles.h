@@ -30,8 +30,8 @@ struct PixelTriangle
   std::uint32_t Index; ///< in TileTriangles
 };
 
-/// The part of a pixel that a triangle covers. Cutting the square by three sides leaves at most 7 points, and at most 13
-/// whatever rounding does.
+/// The part of a pixel that a triangle covers. Cutting the square by three sides leaves at most 7 points, and at
+/// most 13 whatever rounding does.
 using LayerPolygon = ConvexPolygon<float, 13>;
 
 class PixelTriangles
