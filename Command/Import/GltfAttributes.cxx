@@ -151,6 +151,10 @@ std::vector<float> ToFloats(const std::string& elements, const Json& accessor)
     case UInt16:
       Append<std::uint16_t>(elements, isNormalized ? 65535.0 : 1.0, values);
       break;
+    case Float32:
+      values.resize(elements.size() / sizeof(float));
+      std::memcpy(values.data(), elements.data(), sizeof(float) * values.size());
+      break;
     default:
       Append<std::uint32_t>(elements, isNormalized ? 4294967295.0 : 1.0, values);
   }

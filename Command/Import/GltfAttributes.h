@@ -19,7 +19,7 @@ namespace penumbra
 /// KHR_mesh_quantization allows, except those that VTK's reader converts.
 std::set<std::size_t> FindQuantizedAccessors(const nlohmann::json& root);
 
-/// Converts integers of the component type and `normalized` of an accessor.
+/// Converts numbers of the component type and `normalized` of an accessor.
 std::vector<float> ToFloats(const std::string& elements, const nlohmann::json& accessor);
 
 /// Adds a scene of all nodes without a parent if there is none.

@@ -109,7 +109,7 @@ public:
     const bool isQuantized = !FindQuantizedAccessors(this->Root).empty();
     return this->WasVersion1 || isSparse || isUnusual || isIncomplete || !hasScene || isQuantized ||
       this->Root.contains("images") || this->Root.contains("textures") ||
-      NamesTextures(this->Root) || HasPlainEmission(this->Root) ||
+      NamesTextures(this->Root) || HasPlainColors(this->Root) || HasPlainEmission(this->Root) ||
       this->Root.contains("extensionsRequired");
   }
 
@@ -124,8 +124,8 @@ public:
     }
   }
 
-  /// Makes one buffer and dense accessors.
-  void SimplifyGeometry()
+  /// Makes one buffer and dense accessors. `materials`: colors of vertices are those of the materials.
+  void SimplifyGeometry(bool materials)
   {
     AddScene(this->Root);
     this->JoinBuffers();
@@ -136,6 +136,10 @@ public:
     for (const std::size_t accessor : FindQuantizedAccessors(this->Root))
     {
       this->MakeFloat(this->Root["accessors"][accessor]);
+    }
+    if (materials)
+    {
+      MultiplyVertexColors(this->Root, this->MakeBuffers());
     }
     this->AddEndsOfAnimations();
     RemoveExtensions(this->Root);
@@ -354,6 +358,16 @@ private:
     return views.size() - 1;
   }
 
+  GltfBuffers MakeBuffers()
+  {
+    return { [this](const Json& accessor) {
+              return this->ReadElements(
+                accessor, accessor.at("count").get<std::size_t>(), ElementSize(accessor));
+            },
+      [this](const Json& image) { return this->ReadImageBytes(image); },
+      [this](const std::string& bytes) { return this->AddView(bytes); } };
+  }
+
   /// Returns the bytes of an image; empty if they are missing.
   std::string ReadImageBytes(const Json& image) const
   {
@@ -417,6 +431,7 @@ private:
       this->Root["images"] = images;
     }
     RemoveTextures(this->Root, bad, warnings);
+    MaskBaseColors(this->Root, this->MakeBuffers());
     AddEmissionTextures(this->Root, this->AddView(MakeWhitePng()));
   }
 
@@ -465,7 +480,7 @@ std::string CopyGltf(
     {
       copy.SimplifyMaterials(warnings);
     }
-    copy.SimplifyGeometry();
+    copy.SimplifyGeometry(appearance != nullptr);
     if (appearance)
     {
       appearance->Copy = std::make_shared<TemporaryFile>(copy.WriteScene(warnings));

@@ -12,6 +12,8 @@
 #include "vtkNew.h"
 #include "vtkPNGReader.h"
 #include "vtkPNGWriter.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <fstream>
@@ -24,22 +26,35 @@ namespace
 
 using Json = nlohmann::json;
 
-/// Decodes a temporary file: VTK 9.2 and 9.7 read images in memory in different ways.
+/// Decodes a temporary file: VTK 9.2 and 9.7 read images in memory in different ways. Returns null if it cannot.
 template <typename Reader>
-bool CanDecode(const std::string& bytes)
+vtkSmartPointer<vtkImageData> Decode(const std::string& bytes)
 {
   const TemporaryFile file(CreateTemporaryFile(""));
   if (file.Path.empty())
   {
-    return false;
+    return nullptr;
   }
   std::ofstream(file.Path, std::ios::binary).write(bytes.data(), static_cast<long>(bytes.size()));
   TakeErrors();
   vtkNew<Reader> reader;
   reader->SetFileName(file.Path.c_str());
   reader->Update();
-  return TakeErrors().empty() && reader->GetOutput()->GetNumberOfPoints() > 0 &&
+  const bool isDecoded = TakeErrors().empty() && reader->GetOutput()->GetNumberOfPoints() > 0 &&
     reader->GetOutput()->GetScalarPointer();
+  return isDecoded ? reader->GetOutput() : nullptr;
+}
+
+std::string EncodePng(vtkImageData* image)
+{
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(image);
+  writer->SetCompressionLevel(1); // VTK reads the image soon, and only once.
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  return std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)),
+    static_cast<std::size_t>(bytes->GetNumberOfValues()));
 }
 
 }
@@ -48,12 +63,11 @@ std::string FindDecodableType(const std::string& bytes)
 {
   if (bytes.size() > 16 && bytes.compare(0, 4, "\x89PNG") == 0)
   {
-    return IsWholePng(bytes.data(), bytes.size()) && CanDecode<vtkPNGReader>(bytes) ? "image/png"
-                                                                                    : "";
+    return IsWholePng(bytes.data(), bytes.size()) && Decode<vtkPNGReader>(bytes) ? "image/png" : "";
   }
   if (bytes.compare(0, 3, "\xff\xd8\xff") == 0)
   {
-    return CanDecode<vtkJPEGReader>(bytes) ? "image/jpeg" : "";
+    return Decode<vtkJPEGReader>(bytes) ? "image/jpeg" : "";
   }
   return {};
 }
@@ -67,13 +81,40 @@ std::string MakeWhitePng()
   {
     pixel->SetScalarComponentFromDouble(0, 0, 0, c, 255.0);
   }
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(pixel);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  return std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)),
-    static_cast<std::size_t>(bytes->GetNumberOfValues()));
+  return EncodePng(pixel);
+}
+
+std::string MaskAlpha(const std::string& bytes, double factor, double cutoff)
+{
+  const bool isPng = bytes.compare(0, 4, "\x89PNG") == 0;
+  const vtkSmartPointer<vtkImageData> image = isPng ? Decode<vtkPNGReader>(bytes) : nullptr;
+  vtkDataArray* source = image ? image->GetPointData()->GetScalars() : nullptr;
+  const int colors = source ? source->GetNumberOfComponents() - 1 : 0;
+  if (colors != 1 && colors != 3)
+  {
+    return {};
+  }
+  const auto masked = vtkSmartPointer<vtkDataArray>::Take(source->NewInstance());
+  masked->SetNumberOfComponents(cutoff > 0.0 ? colors + 1 : colors);
+  masked->SetNumberOfTuples(source->GetNumberOfTuples());
+  const double opaque = source->GetDataTypeMax();
+  bool isChanged = false;
+  for (vtkIdType i = 0; i < source->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < colors; ++c)
+    {
+      masked->SetComponent(i, c, source->GetComponent(i, c));
+    }
+    const double alpha = source->GetComponent(i, colors);
+    const double value = factor * alpha / opaque >= cutoff ? opaque : 0.0;
+    isChanged = isChanged || value != alpha;
+    if (cutoff > 0.0)
+    {
+      masked->SetComponent(i, colors, value);
+    }
+  }
+  image->GetPointData()->SetScalars(masked);
+  return isChanged ? EncodePng(image) : std::string();
 }
 
 std::set<std::size_t> FindUsedImages(const nlohmann::json& root)

@@ -17,6 +17,10 @@ namespace penumbra
 /// Returns the MIME type of an image that VTK can decode, or an empty string.
 std::string FindDecodableType(const std::string& bytes);
 
+/// Returns a .png with an alpha channel of 1 where its product with `factor` is at least `cutoff`, and of 0 elsewhere;
+/// empty if that is the image in `bytes`. A cutoff of 0 removes the channel.
+std::string MaskAlpha(const std::string& bytes, double factor, double cutoff);
+
 /// Returns a white image of one pixel as .png.
 std::string MakeWhitePng();
 
