@@ -126,9 +126,9 @@ struct vtkPenumbraTemporalSSAOPass::Internals
   penumbra::StaticViewRefiner Refiner;
 
   explicit Internals(vtkPenumbraTemporalSSAOPass* pass)
-    : Refiner([this, pass](vtkRenderer* renderer) {
+    : Refiner([this, pass](vtkRenderer* renderer, double share) {
         return this->RefineBetweenFrames(
-          renderer, this->Constants.StepsPerFrame > 0 ? 0.0 : pass->FrameTime);
+          renderer, this->Constants.StepsPerFrame > 0 ? 0.0 : share * pass->FrameTime);
       })
   {
   }

@@ -163,8 +163,9 @@ public:
    * vtkRenderWindowInteractor::Render(), until it has converged. Frames of the application take
    * precedence: a repeating timer waits for a pause of at least five ticks of 10 ms. No frames are
    * requested while the window's DesiredUpdateRate is 1 per second or more, as during interaction.
-   * Between these frames, each tick adds samples for about FrameTime. A frame is rendered when the view has
-   * converged, when there are four times as many samples as in the last one, or when rays have a better image.
+   * Between these frames, each tick adds samples for about FrameTime, which the passes of the window share. A frame
+   * is rendered when the view has converged, when there are four times as many samples as in the last one, or
+   * when rays have a better image.
    * Default: on.
    */
   vtkSetMacro(RefineStaticView, bool);

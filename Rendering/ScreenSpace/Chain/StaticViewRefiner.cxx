@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StaticViewRefiner.h"
 
-#include "vtkCallbackCommand.h"
+#include "RefinementTimer.h"
+
 #include "vtkCamera.h"
-#include "vtkNew.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -18,9 +18,6 @@ namespace penumbra
 
 namespace
 {
-
-/// Time between two ticks, in milliseconds. The frames themselves usually take longer.
-constexpr unsigned long TickDuration = 10;
 
 /// Number of ticks without a frame of the application before refinement starts. Counted in ticks, so
 /// that an animation whose frames are slow is not slowed down further.
@@ -127,31 +124,19 @@ void StaticViewRefiner::RecordFrame(vtkRenderer* renderer, bool unfinished, bool
 
 void StaticViewRefiner::Start(vtkRenderWindowInteractor* interactor)
 {
-  if (this->TimerId > 0 || !interactor->GetInitialized() || !interactor->GetEnabled())
+  if (this->Timer || !interactor->GetInitialized() || !interactor->GetEnabled())
   {
     return;
   }
   this->Interactor = interactor;
-  this->TimerId = interactor->CreateRepeatingTimer(TickDuration);
-  if (this->TimerId > 0)
+  this->Timer = RefinementTimer::Find(interactor);
+  if (this->Timer)
   {
-    vtkNew<vtkCallbackCommand> observer;
-    observer->SetClientData(this);
-    observer->SetCallback(&StaticViewRefiner::OnTimer);
-    this->ObserverTag = interactor->AddObserver(vtkCommand::TimerEvent, observer);
+    this->Timer->Add(this);
   }
 }
 
-void StaticViewRefiner::OnTimer(vtkObject*, unsigned long, void* self, void* timerId)
-{
-  auto* refiner = static_cast<StaticViewRefiner*>(self);
-  if (timerId && *static_cast<int*>(timerId) == refiner->TimerId)
-  {
-    refiner->Tick();
-  }
-}
-
-void StaticViewRefiner::Tick()
+void StaticViewRefiner::Tick(double share)
 {
   vtkRenderWindowInteractor* interactor = this->Interactor;
   vtkRenderWindow* window = interactor->GetRenderWindow();
@@ -165,7 +150,7 @@ void StaticViewRefiner::Tick()
   {
     --this->TicksToWait;
   }
-  else if (!IsRequested(window) && !window->CheckInRenderStatus() && this->HasNewImage())
+  else if (!IsRequested(window) && !window->CheckInRenderStatus() && this->HasNewImage(share))
   {
     this->RequestFrame(window);
   }
@@ -190,7 +175,7 @@ void StaticViewRefiner::RequestFrame(vtkRenderWindow* window)
 }
 
 /// Works on the images of all unfinished renderers of the window.
-bool StaticViewRefiner::HasNewImage() const
+bool StaticViewRefiner::HasNewImage(double share) const
 {
   vtkRendererCollection* renderers = this->Interactor->GetRenderWindow()->GetRenderers();
   bool isNew = !this->Advance;
@@ -201,7 +186,8 @@ bool StaticViewRefiner::HasNewImage() const
     if (this->Advance && renderers->IsItemPresent(renderer) != 0)
     {
       isKnown = true;
-      isNew = this->Advance(renderer) || isNew;
+      isNew =
+        this->Advance(renderer, share / static_cast<double>(this->Unfinished.size())) || isNew;
     }
   }
   return isNew || !isKnown;
@@ -209,15 +195,13 @@ bool StaticViewRefiner::HasNewImage() const
 
 void StaticViewRefiner::Stop()
 {
-  if (this->TimerId > 0 && this->Interactor)
-  {
-    this->Interactor->RemoveObserver(this->ObserverTag);
-    this->Interactor->DestroyTimer(this->TimerId);
-  }
   this->Interactor = nullptr;
-  this->TimerId = 0;
   this->Unfinished.clear();
   this->Changed.clear();
+  if (const std::shared_ptr<RefinementTimer> timer = std::exchange(this->Timer, nullptr))
+  {
+    timer->Remove(this);
+  }
 }
 
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Renders further frames of a static view through the interactor of its window. A repeating timer
-// renders one frame per tick until the view has converged, and is then destroyed. Frames that the
-// application renders take precedence: the timer then waits.
+// Renders further frames of a static view through the interactor of its window, at most one per tick of a repeating
+// timer until the view has converged. The timer is then destroyed. Frames that the application renders take
+// precedence: the refiner then waits.
 #ifndef penumbra_StaticViewRefiner_h
 #define penumbra_StaticViewRefiner_h
 
@@ -16,13 +16,14 @@
 #include <set>
 #include <utility>
 
-class vtkObject;
 class vtkRenderWindow;
 class vtkRenderWindowInteractor;
 class vtkRenderer;
 
 namespace penumbra
 {
+
+class RefinementTimer;
 
 /// Returns whether the application requests fast frames: the desired update rate of the window is
 /// at least one frame per second, as interactor styles set it during interaction.
@@ -31,9 +32,10 @@ bool IsInteractive(vtkRenderWindow* window);
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT StaticViewRefiner
 {
 public:
-  /// `advance` works on the next frame of a renderer before it is requested, and returns true once it
-  /// would show something new. Empty: every frame does.
-  explicit StaticViewRefiner(std::function<bool(vtkRenderer*)> advance = nullptr)
+  /// `advance` works on the next frame of a renderer before it is requested, for a share of the time of a tick, and
+  /// returns true once the frame would show something new. Empty: every frame does.
+  using AdvanceFunction = std::function<bool(vtkRenderer*, double share)>;
+  explicit StaticViewRefiner(AdvanceFunction advance = nullptr)
     : Advance(std::move(advance))
   {
   }
@@ -46,23 +48,22 @@ public:
   /// changes in every frame.
   void RecordFrame(vtkRenderer* renderer, bool unfinished, bool changed);
 
-  /// Destroys the timer.
+  /// Requests no further frames.
   void Stop();
 
 private:
-  static void OnTimer(vtkObject*, unsigned long, void* self, void* timerId);
+  friend class RefinementTimer;
   void Start(vtkRenderWindowInteractor* interactor);
-  void Tick();
+  void Tick(double share);
   void RequestFrame(vtkRenderWindow* window);
-  bool HasNewImage() const;
+  bool HasNewImage(double share) const;
 
-  std::function<bool(vtkRenderer*)> Advance;
+  AdvanceFunction Advance;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   std::set<vtkRenderer*> Unfinished; ///< renderers whose last frame requested another one
   std::set<vtkRenderer*> Changed;    ///< renderers whose last frame was requested and changed
   vtkMTimeType SceneTime = 0;        ///< of the window after the last frame
-  unsigned long ObserverTag = 0;
-  int TimerId = 0;
+  std::shared_ptr<RefinementTimer> Timer;
   int TicksToWait = 0;
   std::shared_ptr<bool> Alive = std::make_shared<bool>(true); ///< expires in the destructor
 };

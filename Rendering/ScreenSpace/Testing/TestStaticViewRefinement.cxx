@@ -5,11 +5,13 @@
 #include "ManualInteractor.h"
 #include "OcclusionScene.h"
 #include "vtkPenumbraOcclusionConstants.h"
+#include "vtkPenumbraOcclusionEstimator.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkObjectFactory.h"
 
 #include <gtest/gtest.h>
 
@@ -20,6 +22,43 @@ namespace
 
 using Pass = vtkPenumbraTemporalSSAOPass;
 using penumbra::ManualInteractor;
+
+/// An interactor with a single timer, like the Qt widget of VTK's Python package.
+class OneTimerInteractor : public ManualInteractor
+{
+public:
+  static OneTimerInteractor* New();
+  vtkTypeMacro(OneTimerInteractor, ManualInteractor);
+
+protected:
+  int InternalDestroyTimer(int timer) override
+  {
+    const int destroyed = this->ManualInteractor::InternalDestroyTimer(timer);
+    this->Timers.clear();
+    return destroyed;
+  }
+};
+vtkStandardNewMacro(OneTimerInteractor);
+
+/// Adds up the seconds that it is given between frames, and never has an image.
+class TimedEstimator : public vtkPenumbraOcclusionEstimator
+{
+public:
+  static TimedEstimator* New();
+  vtkTypeMacro(TimedEstimator, vtkPenumbraOcclusionEstimator);
+
+  int Estimate(const Request&, vtkTextureObject*) override { return 1; }
+  bool CanRefine() override { return true; }
+  bool RefineBetweenFrames(vtkRenderer*, double seconds) override
+  {
+    this->Seconds += seconds;
+    return false;
+  }
+  void ReleaseGraphicsResources(vtkWindow*) override {}
+
+  double Seconds = 0.0;
+};
+vtkStandardNewMacro(TimedEstimator);
 
 /// A sphere on a floor, in a window that converges over several frames and counts them.
 class StaticViewRefinement : public ::testing::Test
@@ -289,6 +328,51 @@ TEST_F(StaticViewRefinement, RendersOneFramePerTickForSeveralViewports)
   this->Interactor->Tick(1000);
   EXPECT_TRUE(this->Scene.Pass->IsConverged() && pass->IsConverged());
   EXPECT_TRUE(this->Interactor->Timers.empty());
+}
+
+TEST_F(StaticViewRefinement, ConvergesInAllViewportsIfTheInteractorHasOneTimer)
+{
+  vtkNew<OneTimerInteractor> interactor;
+  interactor->SetRenderWindow(this->Scene.Window);
+  interactor->Initialize();
+  this->Scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  vtkNew<vtkRenderer> second;
+  second->SetViewport(0.5, 0.0, 1.0, 1.0);
+  second->AddViewProp(this->Scene.AddSphere({ 1, 0, 0.5 }, 0.3));
+  this->Scene.Window->AddRenderer(second);
+  Pass* pass = Pass::AddTo(second);
+  pass->SetConvergeInOneRender(Pass::NEVER);
+  pass->SetTolerance(1.0);
+  this->Scene.Window->Render();
+  interactor->Tick(1000);
+  EXPECT_TRUE(pass->IsConverged());
+  EXPECT_TRUE(this->Scene.Pass->IsConverged());
+  EXPECT_TRUE(interactor->Timers.empty());
+}
+
+TEST_F(StaticViewRefinement, SharesTheTimeOfATickAmongTheViewportsOfAWindow)
+{
+  constexpr double FrameTime = 0.03;
+  vtkNew<TimedEstimator> estimator;
+  TakeShortFrames(this->Scene);
+  this->Scene.Renderer->SetViewport(0.0, 0.0, 0.25, 1.0);
+  std::vector<Pass*> passes = { this->Scene.Pass };
+  for (int i = 1; i < 4; ++i)
+  {
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetViewport(0.25 * i, 0.0, 0.25 * i + 0.25, 1.0);
+    renderer->AddViewProp(this->Scene.AddSphere({ 1, 0, 0.5 }, 0.3));
+    this->Scene.Window->AddRenderer(renderer);
+    passes.push_back(Pass::AddTo(renderer));
+    passes.back()->SetConvergeInOneRender(Pass::NEVER);
+  }
+  for (Pass* pass : passes)
+  {
+    pass->SetEstimator(estimator);
+    pass->SetFrameTime(FrameTime);
+  }
+  this->FramesAfter(10);
+  EXPECT_NEAR(5 * FrameTime, estimator->Seconds, 1e-9);
 }
 
 TEST_F(StaticViewRefinement, IsNotNeededIfOneRenderConverges)
