@@ -5,6 +5,7 @@
 #include "Annotation/OverlayPainter.h"
 #include "Features/SceneFeatures.h"
 
+#include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkDataSet.h"
 #include "vtkFloatArray.h"
@@ -13,6 +14,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationKeyLookup.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -21,6 +23,7 @@
 #include "vtkProp.h"
 #include "vtkProperty.h"
 #include "vtkTexture.h"
+#include "vtkTransform.h"
 
 #include <algorithm>
 #include <array>
@@ -50,6 +53,12 @@ Texture::WrapModes ConvertWrapMode(vtkTexture* texture)
 /// changed in VTK 9.6.
 const double* FindTextureTransform(vtkProp* prop)
 {
+  // vtkActor replaces the key by the transform of its texture when OpenGL renders it.
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (actor && actor->GetTexture() && actor->GetTexture()->GetTransform())
+  {
+    return &actor->GetTexture()->GetTransform()->GetMatrix()->Element[0][0];
+  }
   vtkInformation* keys = prop->GetPropertyKeys();
   for (const char* name : { "GENERAL_TEXTURE_TRANSFORM", "GeneralTextureTransform" })
   {

@@ -23,6 +23,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace penumbra_testing;
@@ -340,6 +341,31 @@ TEST(ObjScenes, MaterialsAndTexturesAreRead)
   vtkDataArray* cells = image->GetPointData()->GetArray("CellId");
   // The reader of VTK 9.2 has the materials in another order.
   EXPECT_EQ(cells->GetComponent(30 * Width + 34, 0) + cells->GetComponent(30 * Width + 46, 0), 1.0);
+}
+
+TEST(ObjScenes, ScalesAndOffsetsOfTexturesAreApplied)
+{
+  const Folder folder("texture-options");
+  WriteTwoColors(folder / "two.png"); // 40, 80, 120 to the left and 160, 200, 240 to the right
+  WriteText(folder / "square.obj",
+    "mtllib square.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+    "usemtl textured\nf 1/1 2/2 3/3 4/4\n");
+  const std::vector<std::string> options = { "--unlit", "--resolution", "80,80",
+    "--camera-orthographic", "--camera-position", "0.5,0.5,1", "--camera-focal-point", "0.5,0.5,0",
+    "--camera-parallel-scale", "0.5" };
+  // Red at the centers of the quarters of the square, at u = 1/8 ... 7/8: texels have their centers at 1/4 and 3/4.
+  const auto expectReds = [&](const std::string& texture, const std::array<double, 4>& expected) {
+    WriteText(folder / "square.mtl", "newmtl textured\nKd 1 1 1\nmap_Kd " + texture + "two.png\n");
+    ASSERT_EQ(Render(folder, { "square.obj" }, "square.vti", options).Errors, "");
+    const auto image = ReadImage(folder / "square.vti");
+    for (int i = 0; i < 4; ++i)
+    {
+      EXPECT_NEAR(255.0 * PixelAt(image, 10 + 20 * i, 40)[0], expected[i], 6.0) << texture << i;
+    }
+  };
+  expectReds("", { 70, 70, 130, 130 });
+  expectReds("-o 0.5 0 0 ", { 130, 130, 70, 70 });
+  expectReds("-s 2 1 1 ", { 40, 160, 40, 160 });
 }
 
 TEST(ObjScenes, ColoringByDataReplacesMaterials)
