@@ -9,6 +9,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCell.h"
+#include "vtkCellArray.h"
 #include "vtkDiskSource.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -17,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
 #include "vtkProperty.h"
@@ -113,6 +115,43 @@ vtkSmartPointer<vtkPolyData> MakeHalfPlane()
   plane->SetPoint2(-100.0, 100.0, OccluderHeight);
   plane->Update();
   return plane->GetOutput();
+}
+
+/// Rows of slats, whose shadows are two pixels wide and end between the corners of pixels.
+constexpr double SlatWidth = 0.0125;
+constexpr double SlatLength = 0.1;
+const glm::dvec2 SlatAxis(std::cos(1.3), std::sin(1.3));
+const glm::dvec2 AcrossSlats(-SlatAxis.y, SlatAxis.x);
+
+vtkSmartPointer<vtkPolyData> MakeFence()
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> slats;
+  for (int i = 0; i < 90 * 10; ++i)
+  {
+    const glm::dvec2 first =
+      (i % 90 - 45) * 2.0 * SlatWidth * AcrossSlats + (i / 90 - 5) * 2.0 * SlatLength * SlatAxis;
+    slats->InsertNextCell(4);
+    for (const glm::dvec2 corner : { glm::dvec2(0.0, 0.0), glm::dvec2(SlatLength, 0.0),
+           glm::dvec2(SlatLength, SlatWidth), glm::dvec2(0.0, SlatWidth) })
+    {
+      const glm::dvec2 p = first + corner.x * SlatAxis + corner.y * AcrossSlats;
+      slats->InsertCellPoint(points->InsertNextPoint(p.x, p.y, OccluderHeight));
+    }
+  }
+  vtkNew<vtkPolyData> fence;
+  fence->SetPoints(points);
+  fence->SetPolys(slats);
+  return fence;
+}
+
+/// Returns true if a point of the floor is in the shadow that the fence casts of a point light.
+bool IsBehindFence(glm::dvec2 p)
+{
+  const glm::dvec2 q = p * (LightHeight - OccluderHeight) / LightHeight;
+  const double along = dot(q, SlatAxis) / (2.0 * SlatLength);
+  const double across = dot(q, AcrossSlats) / (2.0 * SlatWidth);
+  return along - std::floor(along) < 0.5 && across - std::floor(across) < 0.5;
 }
 
 constexpr double DiskRadius = 0.4;
@@ -297,6 +336,33 @@ TEST(Penumbrae, AreMonotoneAcrossAHalfPlane)
     before = mean;
   }
   EXPECT_GT(before, 0.99);
+}
+
+TEST(Penumbrae, OfSmallLightsCoverTheEndsOfNarrowShadows)
+{
+  const Scene scene(MakeFence());
+  const vtkSmartPointer<vtkPenumbraRayCaster> caster =
+    scene.Cast([](vtkPenumbraRayCaster* narrow) { narrow->SetLightRadius(0.001); });
+  double largest = 0.0;
+  double squares = 0.0;
+  for (int i = 0; i < Size * Size; ++i)
+  {
+    constexpr int Side = 24;
+    double exact = 0.0;
+    for (int k = 0; k < Side * Side; ++k)
+    {
+      const glm::dvec2 p =
+        scene.At(i % Size + (k % Side + 0.5) / Side, i / Size + (k / Side + 0.5) / Side);
+      exact += IsBehindFence(p)
+        ? 0.0
+        : LightHeight / std::sqrt(LightHeight * LightHeight + dot(p, p)) / (Side * Side);
+    }
+    const float color = caster->GetOutput()->GetScalarComponentAsFloat(i % Size, i / Size, 0, 0);
+    largest = std::max(largest, std::abs(color - exact));
+    squares += std::pow(color - exact, 2.0) / (Size * Size);
+  }
+  EXPECT_LE(largest, 0.1);
+  EXPECT_LE(std::sqrt(squares), 0.01);
 }
 
 TEST(Penumbrae, DependNeitherOnThreadsNorOnTheRequestedExtent)
