@@ -239,9 +239,8 @@ std::string DescribeZeroArea(const std::vector<vtkSmartPointer<vtkPolyData>>& me
     [](vtkPolyData* mesh) { return mesh->GetNumberOfLines() == mesh->GetNumberOfCells(); });
   return onlyLines
     ? "the lines have no length: the points of every line coincide; export the mesh again"
-    : "the surface has no area: the corners of every polygon coincide or are on one line; export "
-      "the "
-      "mesh again";
+    : "the surface has no area: the corners of every polygon coincide or are on one line; "
+      "export the mesh again";
 }
 
 // Returns the files to read, those of one step if the file is a series.
