@@ -168,8 +168,10 @@ long long JoinedOcclusion::TraceTile(int tile)
   return rays;
 }
 
-// The directions of the first round are one net of all pixels of the block, which decides smooth surfaces. Those of all
-// later rounds of a pixel are one range of the sequence, so that they are stratified together.
+// The directions of the first round are one net of all pixels of the block, which decides smooth surfaces. Those of
+// all later rounds of a pixel are one range of the sequence, so that they are stratified together. Without shuffled
+// indices, every second pixel of a row has directions in the same parts of the hemisphere. An occluder in such a part
+// looks like a pattern of the surface, which is not joined.
 long long JoinedOcclusion::TraceBlock(glm::ivec2 first)
 {
   const glm::ivec2 block = first / DirectionBlockSide;
@@ -192,7 +194,9 @@ long long JoinedOcclusion::TraceBlock(glm::ivec2 first)
     {
       const int half = i % Halves;
       const auto index = static_cast<std::uint32_t>(begin + i / Halves);
-      rays.push_back({ pixel.Begin, half, sequences[half].At(index) });
+      const std::uint32_t shuffled =
+        OwenSobolSequence::ShuffleIndex(index, seed + static_cast<std::uint32_t>(half));
+      rays.push_back({ pixel.Begin, half, sequences[half].At(shuffled) });
     }
     pixel.Traced = static_cast<std::uint16_t>(pixel.Traced + added);
   }
