@@ -9,6 +9,7 @@
 #include "MappedFile.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
+#include "TiffFile.h"
 
 #include "vtkBMPReader.h"
 #include "vtkBMPWriter.h"
@@ -24,7 +25,6 @@
 #include "vtkPNGReader.h"
 #include "vtkPNGWriter.h"
 #include "vtkPointData.h"
-#include "vtkTIFFReader.h"
 #include "vtkTIFFWriter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkXMLImageDataReader.h"
@@ -34,6 +34,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <stdexcept>
 
 namespace penumbra
 {
@@ -168,6 +169,18 @@ vtkSmartPointer<vtkImageData> Read(const std::string& path)
   return reader->GetOutput();
 }
 
+vtkSmartPointer<vtkImageData> ReadTiffImage(const std::string& path)
+{
+  try
+  {
+    return ReadTiff(path);
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw CommandError(BadInput, path + ": cannot be read as an image: " + error.what());
+  }
+}
+
 bool IsImage(const std::string& path)
 {
   const std::string extension = Extension(path);
@@ -297,7 +310,7 @@ vtkSmartPointer<vtkImageData> ReadImage(const std::string& path)
   TakeErrors();
   const vtkSmartPointer<vtkImageData> image = extension == ".vti"
     ? Read<vtkXMLImageDataReader>(path)
-    : extension == ".tif" ? Read<vtkTIFFReader>(path)
+    : extension == ".tif" ? ReadTiffImage(path)
     : extension == ".bmp" ? Read<vtkBMPReader>(path)
     : extension == ".jpg" ? Read<vtkJPEGReader>(path)
                           : Read<vtkPNGReader>(path);
