@@ -19,6 +19,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkGeometryFilter.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
@@ -26,6 +27,7 @@
 #include "vtkLight.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkReverseSense.h"
@@ -43,6 +45,8 @@ namespace penumbra
 
 namespace
 {
+
+constexpr int HiddenCells = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
 
 vtkSmartPointer<vtkPolyData> MakeMesh(vtkDataSet* data)
 {
@@ -112,9 +116,38 @@ void AddCellIds(vtkDataSet* data)
   data->GetCellData()->AddArray(ids);
 }
 
-// Returns the mesh without unused points and without the cells that use a non-finite point.
+// Returns whether `ghosts`, which may be null, marks a cell or point as one of `kinds`.
+bool IsGhost(vtkDataArray* ghosts, vtkIdType id, int kinds)
+{
+  return ghosts && id < ghosts->GetNumberOfTuples() &&
+    (static_cast<int>(ghosts->GetComponent(id, 0)) & kinds) != 0;
+}
+
+// Marks hidden points as not finite. Returns whether a cell or point is hidden or a duplicate, as in vtkGeometryFilter.
+bool FindHidden(vtkPolyData* mesh, std::vector<bool>& finite)
+{
+  const char* name = vtkDataSetAttributes::GhostArrayName();
+  vtkDataArray* ofPoints = mesh->GetPointData()->GetArray(name);
+  vtkDataArray* ofCells = mesh->GetCellData()->GetArray(name);
+  bool isAny = false;
+  for (std::size_t i = 0; ofPoints && i < finite.size(); ++i)
+  {
+    const bool isHidden =
+      IsGhost(ofPoints, static_cast<vtkIdType>(i), vtkDataSetAttributes::HIDDENPOINT);
+    finite[i] = finite[i] && !isHidden;
+    isAny = isAny || isHidden;
+  }
+  for (vtkIdType i = 0; ofCells && !isAny && i < mesh->GetNumberOfCells(); ++i)
+  {
+    isAny = IsGhost(ofCells, i, HiddenCells);
+  }
+  return isAny;
+}
+
+// Returns the mesh without unused points, hidden cells and the cells that use a hidden or non-finite point.
 vtkSmartPointer<vtkPolyData> DropCells(vtkPolyData* mesh, const std::vector<bool>& finite)
 {
+  vtkDataArray* ghosts = mesh->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
   vtkNew<vtkPolyData> kept;
   kept->DeepCopy(mesh);
   if (!kept->GetCellData()->HasArray(OriginalCellIds))
@@ -125,6 +158,11 @@ vtkSmartPointer<vtkPolyData> DropCells(vtkPolyData* mesh, const std::vector<bool
   vtkNew<vtkIdList> corners;
   for (vtkIdType cell = 0; cell < kept->GetNumberOfCells(); ++cell)
   {
+    if (IsGhost(ghosts, cell, HiddenCells))
+    {
+      kept->DeleteCell(cell);
+      continue;
+    }
     kept->GetCellPoints(cell, corners);
     for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
     {
@@ -204,10 +242,10 @@ Surfaces ExtractSurfaces(
     }
     vtkSmartPointer<vtkPolyData> mesh = offset.FromOrigin(MakeMesh(rest));
     vtkIdType dropped = 0;
-    const std::vector<bool> finite = FindFinitePoints(mesh->GetPoints(), dropped);
+    std::vector<bool> finite = FindFinitePoints(mesh->GetPoints(), dropped);
     surfaces.Points += mesh->GetNumberOfPoints();
     surfaces.DroppedPoints += dropped;
-    if (dropped > 0)
+    if (FindHidden(mesh, finite) || dropped > 0)
     {
       mesh = DropCells(mesh, finite);
     }
