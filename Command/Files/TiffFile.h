@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reads the first image of a .tif (TIFF 6.0). vtkTIFFReader ignores or reverses the order of rows and columns.
+// Reads the first image of a .tif (TIFF 6.0). vtkTIFFReader ignores or reverses the order of rows and columns, and the
+// libtiff of VTK's package does not decode LZW.
 #ifndef penumbra_TiffFile_h
 #define penumbra_TiffFile_h
 
