@@ -6,6 +6,8 @@
 #include "GltfContainer.h"
 #include "GltfImages.h"
 
+#include "vtkVersion.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -22,6 +24,8 @@ namespace
 
 using Json = nlohmann::json;
 
+/// VTK 9.2 encodes linear colors of vertices itself.
+constexpr double VertexColorGamma = VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0) ? 1.0 : 2.2;
 constexpr const char* ColorsOfMaterial = "pbrMetallicRoughness";
 constexpr const char* Glossiness = "KHR_materials_pbrSpecularGlossiness";
 constexpr const char* StrengthExtension = "KHR_materials_emissive_strength";
@@ -70,10 +74,10 @@ std::vector<float> EncodeColors(
     const std::size_t channel = i % channels;
     const double value = std::max(0.0, double(values[i]));
     // VTK multiplies by the opacity of the material.
-    encoded.push_back(
-      static_cast<float>(channel < 3 ? std::pow(value * base.Factor[channel], 1.0 / 2.2)
-          : base.IsBlended           ? value
-                                     : base.Mask(value * base.Factor[3])));
+    encoded.push_back(static_cast<float>(channel < 3
+        ? std::pow(value * base.Factor[channel], 1.0 / VertexColorGamma)
+        : base.IsBlended ? value
+                         : base.Mask(value * base.Factor[3])));
   }
   return encoded;
 }

@@ -9,6 +9,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
+#include "vtkVersion.h"
 
 #include <gtest/gtest.h>
 
@@ -80,8 +81,10 @@ TEST(GltfColors, OfOpaqueMaterialsIgnoreAlpha)
 {
   const Folder folder("opaque");
   ExpectColor(RenderColor(folder, MakeColored({ 1, 0, 0, 0.3 }, "OPAQUE")), Red, "factor");
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) // before, the alpha of factors is not imported
   ExpectColor(
     RenderColor(folder, MakeColored({ 1, 0, 0, 0.5 }, "BLEND")), { 0.5, 0.5, 0.0 }, "blended");
+#endif
   Document vertices = MakeColored({ 1, 0, 0, 1 }, "OPAQUE");
   std::vector<float> colors;
   for (int i = 0; i < 6; ++i)
@@ -94,6 +97,9 @@ TEST(GltfColors, OfOpaqueMaterialsIgnoreAlpha)
 
 TEST(GltfColors, OfMasksAreOpaqueFromTheCutoffOn)
 {
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+  GTEST_SKIP() << "VTK 9.2 does not import the alpha of factors.";
+#endif
   const Folder folder("mask");
   ExpectColor(RenderColor(folder, MakeColored({ 1, 0, 0, 0.6 }, "MASK")), Red, "above");
   ExpectColor(RenderColor(folder, MakeColored({ 1, 0, 0, 0.4 }, "MASK")), Background, "below");
