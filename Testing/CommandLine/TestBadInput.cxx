@@ -6,7 +6,7 @@
 #include "Meshes.h"
 #include "Program.h"
 
-#include "vtkVersionMacros.h"
+#include "vtkVersion.h"
 
 #include <gtest/gtest.h>
 
@@ -478,7 +478,11 @@ TEST(Lists, AreNamedWithTheFirstFileThatCannotBeRead)
         "<PPoints><PDataArray type=\"Float32\" NumberOfComponents=\"3\"/></PPoints>"
         "<Piece Source=\"a.vtp\"/><Piece Source=\"" +
         piece + "\"/></PPolyData></VTKFile>");
-    for (const std::string list : { "list.pvd", "list.vtm", "list.pvtp" })
+    std::vector<std::string> lists = { "list.pvd", "list.vtm" };
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) // before, the reader of parallel files crashes
+    lists.push_back("list.pvtp");
+#endif
+    for (const std::string& list : lists)
     {
       const ProgramResult outcome =
         RunProgram({ "render", folder / list, "--output", folder / "image.png" });
