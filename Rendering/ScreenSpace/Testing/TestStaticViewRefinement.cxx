@@ -112,6 +112,17 @@ protected:
   int Frames = 0;
 };
 
+/// Moves an actor at each event of the window.
+void MoveAt(unsigned long event, vtkRenderWindow* window, vtkActor* actor)
+{
+  vtkNew<vtkCallbackCommand> mover;
+  mover->SetClientData(actor);
+  mover->SetCallback([](vtkObject*, unsigned long, void* moved, void*) {
+    static_cast<vtkActor*>(moved)->AddPosition(0.01, 0.0, 0.0);
+  });
+  window->AddObserver(event, mover);
+}
+
 TEST_F(StaticViewRefinement, RendersFramesUntilConvergedAndThenNone)
 {
   OcclusionScene manual;
@@ -222,24 +233,14 @@ TEST_F(StaticViewRefinement, WaitsWhileTheApplicationRenders)
 TEST_F(StaticViewRefinement, StopsIfTheSceneChangesInEveryFrame)
 {
   vtkActor* actor = this->Scene.AddSphere({ 1, 0, 0.5 }, 0.3);
-  vtkNew<vtkCallbackCommand> mover;
-  mover->SetClientData(actor);
-  mover->SetCallback([](vtkObject*, unsigned long, void* moved, void*) {
-    static_cast<vtkActor*>(moved)->AddPosition(0.01, 0.0, 0.0);
-  });
-  this->Scene.Window->AddObserver(vtkCommand::StartEvent, mover);
+  MoveAt(vtkCommand::StartEvent, this->Scene.Window, actor);
   EXPECT_EQ(1, this->FramesAfter(100));
 }
 
 TEST_F(StaticViewRefinement, StopsIfTheSceneChangesAfterEveryFrame)
 {
   vtkActor* actor = this->Scene.AddSphere({ 1, 0, 0.5 }, 0.3);
-  vtkNew<vtkCallbackCommand> mover;
-  mover->SetClientData(actor);
-  mover->SetCallback([](vtkObject*, unsigned long, void* moved, void*) {
-    static_cast<vtkActor*>(moved)->AddPosition(0.01, 0.0, 0.0);
-  });
-  this->Scene.Window->AddObserver(vtkCommand::EndEvent, mover);
+  MoveAt(vtkCommand::EndEvent, this->Scene.Window, actor);
   EXPECT_GE(2, this->FramesAfter(100));
   EXPECT_TRUE(this->Interactor->Timers.empty());
 }
@@ -253,12 +254,7 @@ TEST_F(StaticViewRefinement, StopsIfTheScenesOfTwoPassesChangeInEveryFrame)
   Pass::AddTo(second)->SetConvergeInOneRender(Pass::NEVER);
   vtkSmartPointer<vtkActor> actor = this->Scene.AddSphere({ 1, 0, 0.5 }, 0.3);
   second->AddViewProp(actor);
-  vtkNew<vtkCallbackCommand> mover;
-  mover->SetClientData(actor);
-  mover->SetCallback([](vtkObject*, unsigned long, void* moved, void*) {
-    static_cast<vtkActor*>(moved)->AddPosition(0.01, 0.0, 0.0);
-  });
-  this->Scene.Window->AddObserver(vtkCommand::StartEvent, mover);
+  MoveAt(vtkCommand::StartEvent, this->Scene.Window, actor);
   EXPECT_GE(2, this->FramesAfter(100));
   EXPECT_TRUE(this->Interactor->Timers.empty());
 }
