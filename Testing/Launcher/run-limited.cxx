@@ -9,6 +9,7 @@
 // - a process that the program leaves behind is named and ended (exit status 125);
 // - if run-limited is interrupted or its own caller ends, the program and its processes end, too.
 // Otherwise the exit status, or the signal, is that of the program.
+// Appends a line to the file $PENUMBRA_TEST_TIMES, if set: seconds of processor time, seconds, and the command.
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
@@ -198,6 +199,34 @@ int EndBy(int signal)
   return 128 + signal;
 }
 
+// Appends the times of the program, which has ended, to $PENUMBRA_TEST_TIMES.
+void RecordTimes(double seconds, char** command)
+{
+  const char* path = std::getenv("PENUMBRA_TEST_TIMES");
+  if (!path)
+  {
+    return;
+  }
+  rusage used = {};
+  getrusage(RUSAGE_CHILDREN, &used);
+  const auto secondsOf = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  char times[64];
+  std::snprintf(times, sizeof(times), "%8.2f %8.2f",
+    secondsOf(used.ru_utime) + secondsOf(used.ru_stime), seconds);
+  std::string line = times;
+  for (; *command; ++command)
+  {
+    line += std::string(" ") + *command;
+  }
+  if (const char* filter = std::getenv("GTEST_FILTER"))
+  {
+    line += std::string(" ") + filter;
+  }
+  std::ofstream(path, std::ios::app) << line + "\n" << std::flush;
+}
+
 // Ends as the program did.
 int Repeat(int status)
 {
@@ -226,7 +255,8 @@ int main(int argc, char** argv)
   }
   sigprocmask(SIG_BLOCK, &signals, nullptr);
   std::signal(SIGCHLD, SIG_DFL); // If ignored, waitpid() would not report statuses.
-  const double end = Now() + limit;
+  const double begin = Now();
+  const double end = begin + limit;
   const pid_t program = fork();
   if (program == 0)
   {
@@ -252,6 +282,7 @@ int main(int argc, char** argv)
       return LimitExceeded;
     }
   }
+  RecordTimes(Now() - begin, argv + 3);
   // Processes that are ending have two seconds.
   for (const double until = Now() + 2.0; remain && Now() < until;)
   {
