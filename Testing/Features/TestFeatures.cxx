@@ -20,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -265,7 +266,12 @@ TEST_P(FeatureTable, AgreesWithVTK)
 
 INSTANTIATE_TEST_SUITE_P(Features, FeatureTable, testing::ValuesIn(FeaturesWithScenes()),
   [](const testing::TestParamInfo<Feature>& feature) {
-    return std::to_string(static_cast<int>(feature.param));
+    std::string name;
+    for (const char character : std::string(Row(feature.param).Name))
+    {
+      name += std::isalnum(static_cast<unsigned char>(character)) ? std::string(1, character) : "";
+    }
+    return name;
   });
 
 TEST(FeatureSheet, IsWrittenToNewFoldersOrFails)

@@ -58,12 +58,18 @@ void ExpectRefused(const Words& arguments, const std::string& words)
 
 }
 
+#ifdef __SANITIZE_ADDRESS__ // which checks the code, not colors
+constexpr int FirstStep = 2;
+#else
+constexpr int FirstStep = 0;
+#endif
+
 TEST(Series, StepsOfEveryFormatHaveTheirColors)
 {
   const Folder folder("formats");
   const std::vector<SeriesFile> series = WriteSeries(folder);
   EXPECT_GE(series.size(), 6u);
-  for (int step = 0; step < 3; ++step)
+  for (int step = FirstStep; step < 3; ++step)
   {
     WriteText(folder / "still.vtk", SquareWithValue(0.0, step));
     Make(View({ "render", folder / "still.vtk", "--output", folder / "still.png" }));
