@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshArrays.h"
 
+#include "MeshReaders.h"
 #include "Processes/CommandError.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -47,6 +51,20 @@ void ThrowTruncated(const std::string& path, const std::string& item)
 {
   throw CommandError(
     BadInput, path + ": the file is damaged: it ends before its last " + item + "; copy it again");
+}
+
+void AddUnread(vtkDataObject* data, const std::string& warning)
+{
+  vtkFieldData* fields = data->GetFieldData();
+  auto warnings = vtkSmartPointer<vtkStringArray>(
+    vtkStringArray::SafeDownCast(fields->GetAbstractArray(UnreadContent)));
+  if (!warnings)
+  {
+    warnings = vtkSmartPointer<vtkStringArray>::New();
+    warnings->SetName(UnreadContent);
+    fields->AddArray(warnings);
+  }
+  warnings->InsertNextValue(warning);
 }
 
 void AddColors(vtkDataSetAttributes* attributes, vtkDataArray* colors)

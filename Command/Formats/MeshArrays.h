@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the readers of mesh formats share: errors and arrays of colors.
+// What the readers of mesh formats share: errors, warnings and arrays of colors.
 #ifndef penumbra_MeshArrays_h
 #define penumbra_MeshArrays_h
 
@@ -10,6 +10,7 @@
 #include <string>
 
 class vtkDataArray;
+class vtkDataObject;
 class vtkDataSetAttributes;
 
 namespace penumbra
@@ -20,6 +21,9 @@ namespace penumbra
 
 /// Throws CommandError: the file at `path` ends before its last `item`.
 [[noreturn]] void ThrowTruncated(const std::string& path, const std::string& item);
+
+/// Adds a warning of what was left out to the array UnreadContent.
+void AddUnread(vtkDataObject* data, const std::string& warning);
 
 /// Adds colors of 3 or 4 components as bytes, with the name RGB or RGBA, and makes them the active
 /// scalars. The range of `colors` is 0 to 1 if they are of a floating-point type and none exceeds 1,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Readers of mesh formats. Each throws CommandError, naming the file, if it cannot be read completely.
+// Readers of mesh formats. Each throws CommandError, naming the file, if it is damaged.
 #ifndef penumbra_MeshReaders_h
 #define penumbra_MeshReaders_h
 
@@ -13,6 +13,10 @@ class vtkDataObject;
 
 namespace penumbra
 {
+
+/// Field data array of what a reader left out, such as bytes that the header of an STL file does not declare: one
+/// warning per string.
+constexpr const char* UnreadContent = "UnreadContent";
 
 /// Returns whether a file starts as an input file of Abaqus.
 bool IsAbaqus(const std::string& path);
@@ -44,10 +48,6 @@ vtkSmartPointer<vtkDataObject> ReadPts(const std::string& path);
 
 /// Text in any case and indentation, and binary. Coincident points are merged.
 vtkSmartPointer<vtkDataObject> ReadStl(const std::string& path);
-
-/// Returns what ReadStl() does not read of a binary file, such as triangles that its header does not
-/// declare; empty if it reads all.
-std::string DescribeUnreadStl(const std::string& path);
 
 }
 #endif

@@ -6,6 +6,7 @@
 
 #include "MeshArrays.h"
 #include "ObjCorners.h"
+#include "Processes/CommandError.h"
 #include "TextFile.h"
 #include "TextScanner.h"
 
@@ -61,12 +62,19 @@ public:
         "an element uses vertex " + std::to_string(this->Corners.UsedVertices()) +
           ", but the file has only " + std::to_string(this->Corners.NumberOfVertices()));
     }
+    if (this->FreeForms > 0 && this->Faces.Cells.Size() == 0 && this->Lines.Cells.Size() == 0 &&
+      this->Points.Cells.Size() == 0)
+    {
+      throw CommandError(BadInput,
+        this->Path + ": the file has only free-form curves and surfaces; export them as polygons");
+    }
     this->Corners.CompleteNormals(this->Faces.Cells);
     const bool isMixed = this->Faces.Cells.Size() > 0 &&
       (this->Lines.Cells.Size() > 0 || this->Points.Cells.Size() > 0);
     auto mesh = this->MakeMesh({ &this->Points, &this->Lines, &this->Faces });
     if (!isMixed || !mesh->GetPointData()->GetNormals())
     {
+      this->ReportUnread(mesh);
       return mesh;
     }
     // Lines and points have no normals.
@@ -75,6 +83,7 @@ public:
     vtkNew<vtkMultiBlockDataSet> blocks;
     blocks->SetBlock(0, this->MakeMesh({ &this->Faces }));
     blocks->SetBlock(1, mesh);
+    this->ReportUnread(blocks);
     return blocks;
   }
 
@@ -109,6 +118,10 @@ private:
     else if (keyword == "p")
     {
       this->ReadCell(this->Points, 1);
+    }
+    else if (keyword == "curv" || keyword == "curv2" || keyword == "surf")
+    {
+      ++this->FreeForms;
     }
     else if (keyword == "g" || keyword == "o")
     {
@@ -184,12 +197,29 @@ private:
     }
     if (corners.size() < required)
     {
-      return; // It covers nothing.
+      ++this->ShortCells; // It covers nothing.
+      return;
     }
     this->Corners.Insert(corners, list.Cells);
     list.Groups.push_back(this->Group);
     list.Materials.push_back(this->Material);
     this->UsedGroups = static_cast<std::size_t>(this->Group) + 1;
+  }
+
+  void ReportUnread(vtkDataObject* data) const
+  {
+    if (this->ShortCells > 0)
+    {
+      AddUnread(data,
+        std::to_string(this->ShortCells) +
+          " faces and lines have too few vertices and are not drawn");
+    }
+    if (this->FreeForms > 0)
+    {
+      AddUnread(data,
+        std::to_string(this->FreeForms) +
+          " free-form curves and surfaces are not read; export them as polygons");
+    }
   }
 
   /// Makes a mesh of points, lines and faces in this order, which is the order of VTK's cells.
@@ -260,6 +290,8 @@ private:
   int Group = 0;
   int Material = -1;
   std::size_t UsedGroups = 0;
+  long long ShortCells = 0; ///< faces and lines with too few corners
+  long long FreeForms = 0;  ///< curves and surfaces
 };
 
 }

@@ -16,6 +16,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace penumbra
@@ -278,21 +280,9 @@ vtkSmartPointer<vtkPolyData> ReadAscii(const std::string& path, const TextFile& 
   return triangles.MakeMesh(VTK_DOUBLE);
 }
 
-}
-
-vtkSmartPointer<vtkDataObject> ReadStl(const std::string& path)
+/// Returns what ReadBinary() does not read, such as triangles that the header does not declare; empty if it reads all.
+std::string DescribeUnread(const TextFile& file)
 {
-  const TextFile file(path);
-  return IsAscii(file) ? ReadAscii(path, file) : ReadBinary(path, file);
-}
-
-std::string DescribeUnreadStl(const std::string& path)
-{
-  const TextFile file(path);
-  if (IsAscii(file))
-  {
-    return std::string();
-  }
   const std::size_t read = BinaryHeaderSize + BinaryTriangleSize * TrianglesToRead(file);
   // Zeros and white space are padding.
   const bool isPadding =
@@ -309,6 +299,24 @@ std::string DescribeUnreadStl(const std::string& path)
     : "the number of triangles in its header is " + std::to_string(DeclaredTriangles(file)) +
       "; the " + skipped + " after them, as many as " + std::to_string(rest / BinaryTriangleSize) +
       " triangles have, were skipped; export it again";
+}
+
+}
+
+vtkSmartPointer<vtkDataObject> ReadStl(const std::string& path)
+{
+  const TextFile file(path);
+  if (IsAscii(file))
+  {
+    return ReadAscii(path, file);
+  }
+  vtkSmartPointer<vtkPolyData> mesh = ReadBinary(path, file);
+  const std::string unread = DescribeUnread(file);
+  if (!unread.empty())
+  {
+    AddUnread(mesh, unread);
+  }
+  return mesh;
 }
 
 }

@@ -25,6 +25,7 @@
 #include "vtkExodusIIReader.h"
 #include "vtkFLUENTReader.h"
 #include "vtkFacetReader.h"
+#include "vtkFieldData.h"
 #include "vtkGAMBITReader.h"
 #include "vtkGLTFReader.h"
 #include "vtkGenericDataObjectReader.h"
@@ -32,6 +33,7 @@
 #include "vtkNIFTIImageReader.h"
 #include "vtkOpenFOAMReader.h"
 #include "vtkSLCReader.h"
+#include "vtkStringArray.h"
 #include "vtkTecplotReader.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
@@ -130,14 +132,17 @@ Algorithm MakeSeries(const std::string& path)
     BadInput, path + ": a time series is not supported here; name one of its files");
 }
 
-void WarnOfUnreadStl(
-  vtkAlgorithm*, const std::string& path, vtkDataObject*, std::vector<std::string>& warnings)
+/// Moves the array UnreadContent to the warnings.
+void WarnOfUnread(
+  vtkAlgorithm*, const std::string&, vtkDataObject* data, std::vector<std::string>& warnings)
 {
-  const std::string unread = DescribeUnreadStl(path);
-  if (!unread.empty())
+  vtkFieldData* const fields = data->GetFieldData();
+  auto* const unread = vtkStringArray::SafeDownCast(fields->GetAbstractArray(UnreadContent));
+  for (vtkIdType i = 0; unread && i < unread->GetNumberOfValues(); ++i)
   {
-    warnings.push_back(unread);
+    warnings.push_back(unread->GetValue(i));
   }
+  fields->RemoveArray(UnreadContent);
 }
 
 #define PENUMBRA_READER(reader) #reader, Make < reader>
@@ -145,9 +150,10 @@ void WarnOfUnreadStl(
 std::vector<ReaderRow> MakeTable()
 {
   return {
-    { { ".stl" }, "Stereolithography", "Penumbra", nullptr, ReadStl, WarnOfUnreadStl },
+    { { ".stl" }, "Stereolithography", "Penumbra", nullptr, ReadStl, WarnOfUnread },
     { { ".ply" }, "Stanford polygons", "Penumbra", nullptr, ReadPly },
-    { { ".obj" }, "Wavefront", "Penumbra", nullptr, ReadObj, nullptr, nullptr, nullptr, ImportObj },
+    { { ".obj" }, "Wavefront", "Penumbra", nullptr, ReadObj, WarnOfUnread, nullptr, nullptr,
+      ImportObj },
     { { ".off" }, "Object File Format", "Penumbra", nullptr, ReadOff },
     { { ".gltf", ".glb" }, "glTF", PENUMBRA_READER(vtkGLTFReader), nullptr, CorrectWindings,
       CopyGltf, nullptr, ImportGltf },

@@ -16,6 +16,7 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -187,6 +188,17 @@ double FindRoundingStepOfPoints(vtkPolyData* mesh)
     : 0.0;
 }
 
+vtkIdType CountShortPolygons(vtkPolyData* mesh)
+{
+  vtkCellArray* const polygons = mesh->GetPolys();
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i)
+  {
+    count += polygons->GetCellSize(i) < 3 ? 1 : 0;
+  }
+  return count;
+}
+
 /// Returns the name of the file, and of the data set if there are several.
 std::string NameSource(const std::string& path, std::size_t dataSet, std::size_t dataSets)
 {
@@ -253,6 +265,8 @@ Surfaces ExtractSurfaces(
     {
       surfaces.RoundingStep = std::max(surfaces.RoundingStep, FindRoundingStepOfPoints(mesh));
       surfaces.HasArea = surfaces.HasArea || !HasOnlyZeroArea(mesh);
+      surfaces.Polygons += mesh->GetNumberOfPolys();
+      surfaces.ShortPolygons += CountShortPolygons(mesh);
       surfaces.Meshes.push_back(mesh);
       surfaces.Names.push_back(NameSource(path, i, dataSets.size()));
       surfaces.Actors.push_back(appearance.Actors[i]);
@@ -342,6 +356,8 @@ void Surfaces::Append(const Surfaces& other)
   append(this->Warnings, other.Warnings);
   this->Points += other.Points;
   this->DroppedPoints += other.DroppedPoints;
+  this->Polygons += other.Polygons;
+  this->ShortPolygons += other.ShortPolygons;
   this->RoundingStep = std::max(this->RoundingStep, other.RoundingStep);
   this->HasArea = this->HasArea || other.HasArea;
 }
@@ -371,6 +387,12 @@ Surfaces ReadSurfaces(const std::string& path, const InputOptions& options)
     surfaces.Warnings.push_back(std::to_string(surfaces.DroppedPoints) + " of " +
       std::to_string(surfaces.Points) +
       " points are not finite; they and the cells that use them were skipped");
+  }
+  if (surfaces.ShortPolygons > 0)
+  {
+    surfaces.Warnings.push_back(std::to_string(surfaces.ShortPolygons) + " of " +
+      std::to_string(surfaces.Polygons) +
+      " polygons have fewer than three corners and are not drawn");
   }
   if (surfaces.RoundingStep > 0.0)
   {

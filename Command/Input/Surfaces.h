@@ -35,6 +35,8 @@ struct Surfaces
   std::vector<std::string> Warnings; ///< with the name of the file
   vtkIdType Points = 0;              ///< in the file
   vtkIdType DroppedPoints = 0;       ///< non-finite points, skipped with the cells that use them
+  vtkIdType Polygons = 0;            ///< in Meshes
+  vtkIdType ShortPolygons = 0; ///< those with fewer than three corners, of which nothing is drawn
   /// Distance of neighboring single-precision coordinates if it is visible in the bounds, else 0.
   double RoundingStep = 0.0;
   bool HasArea = false; ///< if off, all cells are polygons without area or lines without length

@@ -302,7 +302,6 @@ TEST(Obj, VariantsGiveTheSameImage)
     { "broken-lines", points + Replace(FaceLines(cube, "f", 1), "f ", "f \\\n ") },
     { "comments", "# a\n" + points + FaceLines(cube, "f", 1, "", " # b") },
     { "faces-first", FaceLines(cube, "f", 1) + points },
-    { "degenerate", Obj(cube) + "f 1 2\nf 3\nl 1\n" },
     { "weights", PointLines(cube, "v ", " 1.0") + FaceLines(cube, "f", 1) },
     { "missing-normals", points + FaceLines(cube, "f", 1, "//7") },
     { "dos", Replace(Obj(cube), "\n", "\r\n") } };
