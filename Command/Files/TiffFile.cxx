@@ -10,6 +10,7 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -43,6 +44,7 @@ enum Tag
   TileLength = 323,
   TileOffsets = 324,
   TileByteCounts = 325,
+  ExtraSamples = 338,
   SampleFormat = 339
 };
 
@@ -369,6 +371,29 @@ private:
     }
   }
 
+  // Divides colors that are multiplied by alpha, the last channel ["associated", TIFF 6.0, section 18].
+  template <typename T>
+  void DivideByAlpha(T* pixels) const
+  {
+    const auto channels = static_cast<std::size_t>(this->CountChannels());
+    const bool hasAlpha = channels % 2 == 0 && this->Colors != 3 && this->Colors != 5;
+    if (!hasAlpha || this->Get(ExtraSamples, 0) != 1)
+    {
+      return;
+    }
+    constexpr bool isInteger = std::numeric_limits<T>::is_integer;
+    const double white = isInteger ? static_cast<double>(std::numeric_limits<T>::max()) : 1.0;
+    for (std::size_t i = 0; i < this->Rows * this->Columns; ++i, pixels += channels)
+    {
+      const double alpha = static_cast<double>(pixels[channels - 1]) / white;
+      for (std::size_t k = 0; alpha > 0.0 && k + 1 < channels; ++k)
+      {
+        const double color = static_cast<double>(pixels[k]) / alpha;
+        pixels[k] = static_cast<T>(isInteger ? std::min(std::floor(color + 0.5), white) : color);
+      }
+    }
+  }
+
   template <typename T>
   void Fill(vtkImageData* image)
   {
@@ -420,6 +445,7 @@ private:
         }
       }
     }
+    this->DivideByAlpha(pixels);
   }
 
   MappedFile File;

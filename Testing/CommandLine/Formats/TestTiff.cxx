@@ -33,7 +33,8 @@ struct Kind
   bool IsPlanar = false;
   bool IsTiled = false;
   bool IsBigEndian = false;
-  int Compression = 1; // none
+  int Compression = 1;       // none
+  bool IsAssociated = false; ///< colors are multiplied by alpha
 };
 
 // Value of a channel at a row from the top and a column from the left of the upright image.
@@ -135,6 +136,10 @@ void WriteTiff(const std::string& path, const Kind& kind, int orientation)
   add(kind.IsTiled ? 324 : 273, starts);
   add(kind.IsTiled ? 325 : 279, sizes);
   add(339, std::vector<unsigned int>(all, kind.IsFloat ? 3 : 1));
+  if (kind.IsAssociated)
+  {
+    add(338, { 1 });
+  }
   if (kind.IsTiled)
   {
     add(322, { 16 });
@@ -243,6 +248,32 @@ TEST(Tiff, AppliesOrientation)
       SCOPED_TRACE("kind " + std::to_string(i) + ", orientation " + std::to_string(orientation));
       WriteTiff(folder / "a.tif", kinds[i], orientation);
       ExpectUpright(folder / "a.tif", kinds[i]);
+    }
+  }
+}
+
+TEST(Tiff, DividesColorsByAssociatedAlpha)
+{
+  const Folder folder("tiff-associated");
+  for (const Kind& kind : { Kind{ 8, 4, false, 2, false, false, false, 1, true },
+         Kind{ 16, 4, false, 2, true, false, false, 1, true },
+         Kind{ 32, 4, true, 2, false, true, false, 1, true },
+         Kind{ 8, 2, false, 1, false, false, false, 1, true } })
+  {
+    WriteTiff(folder / "a.tif", kind, 1);
+    const auto image = penumbra::ReadImage(folder / "a.tif");
+    const double white = kind.IsFloat ? 1.0 : kind.Bits == 16 ? 65535.0 : 255.0;
+    for (int y = 0; y < Height; ++y)
+    {
+      const double alpha = ValueAt(kind, y, 2, kind.Channels - 1);
+      for (int c = 0; c < kind.Channels; ++c)
+      {
+        const double value = ValueAt(kind, y, 2, c);
+        const double expected = c == kind.Channels - 1 ? alpha : value * white / alpha;
+        EXPECT_NEAR(image->GetScalarComponentAsDouble(2, Height - 1 - y, 0, c), expected,
+          kind.IsFloat ? 1e-6 : 0.5001)
+          << kind.Bits << " " << y << " " << c;
+      }
     }
   }
 }
