@@ -36,7 +36,7 @@ namespace
 {
 
 #ifdef __SANITIZE_ADDRESS__ // which checks the code, not numbers
-constexpr int Size = 64;
+constexpr int Size = 40;
 constexpr bool ComparesImages = false;
 #else
 constexpr int Size = 160;

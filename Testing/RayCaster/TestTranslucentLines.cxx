@@ -267,7 +267,7 @@ TEST_P(TranslucentLines, AreWithinTheTolerance)
   double tolerance = 0.0;
   const Answer answer = Cast(renderer, Side, Side,
     [&](vtkPenumbraRayCaster* caster) { tolerance = caster->GetTolerance(); });
-  // Errors of the reference itself only add to those of the image: fewer rays suffice if they find no error.
+  // Errors of the reference itself add to those of the image on average: fewer rays suffice if the sum is small.
   Errors errors = CompareWithRays(renderer, answer, tolerance, 13);
   if (!errors.AreSmall(tolerance))
   {

@@ -224,7 +224,7 @@ TEST_P(CoverageOfScenes, IsWithinTheTolerance)
   caster->SetShadows(GetParam().Shadows);
   const Pixels adaptive = Render(caster);
   caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
-  // Errors of the reference itself only add to those of the image: fewer samples suffice if they find no tile above.
+  // Errors of the reference itself add to those of the image on average: fewer samples suffice if the sum is small.
   WorstTile worst;
   worst.Error = GetParam().Bound + 1.0;
   for (int samples = 16; worst.Error > GetParam().Bound && samples <= 32; samples += 16)
