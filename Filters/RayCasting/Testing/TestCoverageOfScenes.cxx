@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Compares adaptively rendered scenes with a reference of up to 32 x 32 samples per pixel.
+#include "BruteForce/StratifiedReference.h"
+#include "Scenes/TestScene.h"
 #include "vtkPenumbraRayCaster.h"
 #include "vtkPenumbraRayCasterConstants.h"
 
@@ -9,13 +11,9 @@
 #include "vtkCamera.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
-#include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
@@ -25,17 +23,18 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
 #include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
 
+using namespace penumbra;
+
 namespace
 {
 
 constexpr int Side = 128;
-constexpr int Tile = 16;
 
 struct SceneRow
 {
@@ -137,63 +136,6 @@ const SceneRow Rows[] = {
     true, 1.0 / 256.0 },
 };
 
-struct Pixels
-{
-  std::vector<float> Colors;
-  std::vector<float> Errors;
-  double RaysPerPixel;
-};
-
-Pixels Render(vtkPenumbraRayCaster* caster)
-{
-  caster->Update();
-  vtkPointData* data = caster->GetOutput()->GetPointData();
-  const auto copy = [&](const char* name) {
-    auto* array = vtkFloatArray::SafeDownCast(data->GetArray(name));
-    return std::vector<float>(
-      array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues());
-  };
-  return { copy("Color"), copy("EstimatedError"),
-    caster->GetStatistics()->GetArray("Rays/PerPixel")->GetTuple1(0) };
-}
-
-struct WorstTile
-{
-  double Error = 0.0; ///< largest RMSE of a tile
-  double Estimate = 0.0;
-  std::string Place;
-};
-
-WorstTile FindWorstTile(const Pixels& adaptive, const Pixels& reference)
-{
-  WorstTile worst;
-  for (int ty = 0; ty < Side; ty += Tile)
-  {
-    for (int tx = 0; tx < Side; tx += Tile)
-    {
-      double squares = 0.0;
-      double estimated = 0.0;
-      for (int i = 0; i < Tile * Tile; ++i)
-      {
-        const std::size_t pixel = (ty + i / Tile) * Side + tx + i % Tile;
-        for (int c = 0; c < 3; ++c)
-        {
-          const double d = adaptive.Colors[4 * pixel + c] - reference.Colors[4 * pixel + c];
-          squares += d * d / 3.0;
-        }
-        estimated += static_cast<double>(adaptive.Errors[pixel]) * adaptive.Errors[pixel];
-      }
-      const double error = std::sqrt(squares / (Tile * Tile));
-      if (error > worst.Error)
-      {
-        worst = { error, std::sqrt(estimated / (Tile * Tile)),
-          std::to_string(tx) + "," + std::to_string(ty) };
-      }
-    }
-  }
-  return worst;
-}
-
 std::ostream& operator<<(std::ostream& os, const SceneRow& row)
 {
   return os << row.Name;
@@ -218,21 +160,25 @@ TEST_P(CoverageOfScenes, IsWithinTheTolerance)
   renderer->GetActiveCamera()->SetPosition(1.0, -5.0, 2.5);
   renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
   renderer->GetActiveCamera()->SetViewAngle(24.0);
-  vtkNew<vtkPenumbraRayCaster> caster;
-  caster->SetRenderer(renderer);
-  caster->SetResolution(Side, Side);
-  caster->SetShadows(GetParam().Shadows);
-  const Pixels adaptive = Render(caster);
-  caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+  const auto cast = [&](int samples) { // 0: adaptive
+    return Cast(renderer, Side, Side, [samples](vtkPenumbraRayCaster* caster) {
+      caster->SetShadows(GetParam().Shadows);
+      if (samples > 0)
+      {
+        caster->GetConstants().CoverageMethod = CoverageMethods::Uniform;
+        caster->GetConstants().UniformSamples = samples;
+      }
+    });
+  };
+  const Answer adaptive = cast(0);
   // Errors of the reference itself add to those of the image on average: fewer samples suffice if the sum is small.
-  WorstTile worst;
-  worst.Error = GetParam().Bound + 1.0;
+  TileAccuracy worst = { GetParam().Bound + 1.0, 0.0 };
   for (int samples = 16; worst.Error > GetParam().Bound && samples <= 32; samples += 16)
   {
-    caster->GetConstants().UniformSamples = samples;
-    worst = FindWorstTile(adaptive, Render(caster));
+    const std::vector<TileAccuracy> tiles = CompareTiles(adaptive, cast(samples), Side);
+    worst = *std::max_element(tiles.begin(), tiles.end(),
+      [](const TileAccuracy& a, const TileAccuracy& b) { return a.Error < b.Error; });
   }
-  RecordProperty("At", worst.Place);
   RecordProperty("WorstTile", std::to_string(worst.Error));
   RecordProperty("RaysPerPixel", std::to_string(adaptive.RaysPerPixel));
   EXPECT_LE(worst.Error, GetParam().Bound) << "estimated error of this tile: " << worst.Estimate;
