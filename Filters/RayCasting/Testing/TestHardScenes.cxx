@@ -3,6 +3,8 @@
 //
 // Scenes with edges inside pixels that the corner rays do not detect. The error of every tile is
 // below the tolerance, or its estimated error is not. The reference has 32 x 32 samples per pixel.
+#include "BruteForce/StratifiedReference.h"
+#include "Scenes/TestScene.h"
 #include "vtkPenumbraRayCaster.h"
 #include "vtkPenumbraRayCasterConstants.h"
 
@@ -10,12 +12,9 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
-#include "vtkFloatArray.h"
-#include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMinimalStandardRandomSequence.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -33,11 +32,12 @@
 #include <string>
 #include <vector>
 
+using namespace penumbra;
+
 namespace
 {
 
 constexpr int Side = 96;
-constexpr int Tile = 16;
 constexpr int ReferenceSamples = 32;
 
 class Random
@@ -187,23 +187,9 @@ std::string MakeName(const ::testing::TestParamInfo<SceneRow>& row)
   return row.param.Name;
 }
 
-std::vector<float> CopyArray(vtkPenumbraRayCaster* caster, const char* name)
+vtkSmartPointer<vtkRenderer> MakeRenderer(const SceneRow& row)
 {
-  vtkPointData* data = caster->GetOutput()->GetPointData();
-  auto* array = vtkFloatArray::SafeDownCast(data->GetArray(name));
-  return std::vector<float>(
-    array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues());
-}
-
-std::vector<float> Render(vtkPenumbraRayCaster* caster)
-{
-  caster->Update();
-  return CopyArray(caster, "Color");
-}
-
-vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(const SceneRow& row)
-{
-  vtkNew<vtkRenderer> renderer;
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
   row.AddProps(renderer);
   renderer->SetBackground(0.2, 0.3, 0.4);
   renderer->ResetCamera();
@@ -215,42 +201,15 @@ vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(const SceneRow& row)
   camera->SetViewAngle(row.ViewAngle);
   camera->Dolly(computeHalfWidth() / originalWidth);
   renderer->ResetCameraClippingRange();
-  auto caster = vtkSmartPointer<vtkPenumbraRayCaster>::New();
-  caster->SetRenderer(renderer);
-  caster->SetResolution(Side, Side);
-  return caster;
+  return renderer;
 }
 
-struct TileError
+Answer CastUniformly(vtkRenderer* renderer, int samples)
 {
-  double Error;
-  double Estimated;
-};
-
-std::vector<TileError> ComputeTileErrors(const std::vector<float>& colors,
-  const std::vector<float>& errors, const std::vector<float>& reference)
-{
-  std::vector<TileError> tiles;
-  for (int ty = 0; ty < Side; ty += Tile)
-  {
-    for (int tx = 0; tx < Side; tx += Tile)
-    {
-      double squares = 0.0;
-      double estimated = 0.0;
-      for (int i = 0; i < Tile * Tile; ++i)
-      {
-        const std::size_t pixel = (ty + i / Tile) * Side + tx + i % Tile;
-        for (int c = 0; c < 3; ++c)
-        {
-          const double d = colors[4 * pixel + c] - reference[4 * pixel + c];
-          squares += d * d / 3.0;
-        }
-        estimated += static_cast<double>(errors[pixel]) * errors[pixel];
-      }
-      tiles.push_back({ std::sqrt(squares / (Tile * Tile)), std::sqrt(estimated / (Tile * Tile)) });
-    }
-  }
-  return tiles;
+  return Cast(renderer, Side, Side, [samples](vtkPenumbraRayCaster* caster) {
+    caster->GetConstants().CoverageMethod = CoverageMethods::Uniform;
+    caster->GetConstants().UniformSamples = samples;
+  });
 }
 
 class HardScenes : public ::testing::TestWithParam<SceneRow>
@@ -261,40 +220,33 @@ class HardScenes : public ::testing::TestWithParam<SceneRow>
 
 TEST_P(HardScenes, ReportEveryTileAboveTheTolerance)
 {
-  const auto caster = MakeCaster(GetParam());
-  const std::vector<float> colors = Render(caster);
-  const std::vector<float> errors = CopyArray(caster, "EstimatedError");
-  caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
-  caster->GetConstants().UniformSamples = ReferenceSamples;
-  const std::vector<float> reference = Render(caster);
-  const double tolerance = caster->GetTolerance();
+  const vtkSmartPointer<vtkRenderer> renderer = MakeRenderer(GetParam());
+  double tolerance = 0.0;
+  const Answer answer = Cast(renderer, Side, Side,
+    [&](vtkPenumbraRayCaster* caster) { tolerance = caster->GetTolerance(); });
   double worst = 0.0;
-  for (const TileError& tile : ComputeTileErrors(colors, errors, reference))
+  for (const TileAccuracy& tile :
+    CompareTiles(answer, CastUniformly(renderer, ReferenceSamples), Side))
   {
     worst = std::max(worst, tile.Error);
-    EXPECT_FALSE(tile.Error > tolerance + GetParam().ReferenceError && tile.Estimated < tolerance)
-      << "error " << tile.Error << ", estimated " << tile.Estimated;
+    EXPECT_FALSE(tile.Error > tolerance + GetParam().ReferenceError && tile.Estimate < tolerance)
+      << "error " << tile.Error << ", estimated " << tile.Estimate;
   }
   RecordProperty("WorstTile", std::to_string(worst));
 }
 
 TEST_P(HardScenes, HaveCalibratedErrorEstimatesWithUniformSamples)
 {
-  const auto caster = MakeCaster(GetParam());
-  caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
-  caster->GetConstants().UniformSamples = ReferenceSamples;
-  const std::vector<float> reference = Render(caster);
+  const vtkSmartPointer<vtkRenderer> renderer = MakeRenderer(GetParam());
+  const Answer reference = CastUniformly(renderer, ReferenceSamples);
   for (const int samples : { 2, 4, 8 })
   {
-    caster->GetConstants().UniformSamples = samples;
-    const std::vector<float> colors = Render(caster);
-    const std::vector<float> errors = CopyArray(caster, "EstimatedError");
     std::vector<double> ratios;
-    for (const TileError& tile : ComputeTileErrors(colors, errors, reference))
+    for (const TileAccuracy& tile : CompareTiles(CastUniformly(renderer, samples), reference, Side))
     {
       if (tile.Error > 1e-3)
       {
-        ratios.push_back(tile.Estimated / tile.Error);
+        ratios.push_back(tile.Estimate / tile.Error);
       }
     }
     ASSERT_FALSE(ratios.empty());
@@ -311,14 +263,17 @@ TEST(Tolerance, WarnsOnceIfItIsNotReached)
   count->SetClientData(&warnings);
   count->SetCallback(
     [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
-  const auto caster = MakeCaster({ "IntersectingSpheres", AddSpheres });
+  const vtkSmartPointer<vtkRenderer> renderer = MakeRenderer({ "IntersectingSpheres", AddSpheres });
+  vtkNew<vtkPenumbraRayCaster> caster;
+  caster->SetRenderer(renderer);
+  caster->SetResolution(Side, Side);
   caster->AddObserver(vtkCommand::WarningEvent, count);
   caster->Update();
   EXPECT_EQ(warnings, 0);
   caster->SetTolerance(1e-5);
   caster->Update();
   EXPECT_EQ(warnings, 1);
-  caster->GetConstants().CoverageMethod = penumbra::CoverageMethods::Uniform;
+  caster->GetConstants().CoverageMethod = CoverageMethods::Uniform;
   caster->Update();
   EXPECT_EQ(warnings, 1);
 }
